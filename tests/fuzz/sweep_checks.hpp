@@ -1,0 +1,24 @@
+#pragma once
+
+#include "experiment/sweep.hpp"
+
+#include <cstdlib>
+
+namespace lamprey::experiment {
+
+/// What must hold for every valid specification; ends the program where it doesn't.
+inline void check_valid_sweep(const idl::SweepSpecification& specification) {
+  const auto require = [](bool holds) {
+    if (!holds) std::abort();
+  };
+  const SweepGrid grid(specification);
+  require(grid.jobs() >= 1 && grid.jobs() <= maximum_jobs);
+  const Job first = grid.job(0);
+  const Job last = grid.job(grid.jobs() - 1);
+  require(first.replicate == 0 && last.replicate + 1 == grid.replicates());
+  require(grid.jobs() == 1 || identity(first) != identity(last));
+  require(to_json(first.parameters).size() > 2);
+  require(sweep_id(specification) == sweep_id(specification));
+}
+
+}  // namespace lamprey::experiment
