@@ -1,0 +1,49 @@
+#pragma once
+
+#include "storage/results_store.hpp"
+#include "storage/statement.hpp"
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+namespace lamprey::storage {
+
+/// Writes batches with statements that are prepared once. The caller holds the transaction; after an exception it must
+/// roll back. Throws StorageError. Not thread-safe.
+class BatchWriter {
+ public:
+  BatchWriter(const Connection& connection, std::uint64_t epoch);
+
+  void write(const Batch& batch);
+  void write(const Event& event);
+
+ private:
+  /// What a batch adds to the counters of one sweep.
+  struct Increase {
+    JobCounts counts;
+    std::uint64_t divergences = 0;
+  };
+  using Increases = std::map<std::int64_t, Increase>;
+
+  void insert(const Event& event);
+  void write(const Worker& worker);
+  void write(const EndedJob& job, Increases& increases);
+  void write(const Divergence& divergence, Increases& increases);
+  void write(const Batch::StateChange& change);
+  void update_sweep(std::int64_t sweep, const Increase& increase);
+
+  const Connection& connection_;
+  std::uint64_t epoch_;
+  std::int64_t now_ = 0;  ///< time of the batch or event being written
+  Statement upsert_worker_;
+  Statement insert_job_;
+  Statement insert_divergence_;
+  Statement insert_event_;
+  Statement change_state_;
+  Statement add_counts_;
+  Statement finish_;
+  std::string trace_text_;  ///< kept between jobs for its memory
+};
+
+}  // namespace lamprey::storage

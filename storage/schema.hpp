@@ -1,0 +1,54 @@
+#pragma once
+
+#include "storage/connection.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace lamprey::storage {
+
+/// Version of the tables; PRAGMA user_version. Views are not part of it: they follow the parameter registry.
+inline constexpr int schema_version = 1;
+
+/// PRAGMA application_id: "LMPR".
+inline constexpr std::uint32_t application_id = 0x4c4d5052;
+
+struct Column {
+  std::string name;
+  std::string definition;  ///< of a table's column: type and constraints; of a view's column: its expression
+  std::string description;
+};
+
+/// A table or view, with what schema_description says about it: one list is both the SQL and its documentation.
+struct SchemaObject {
+  std::string name;
+  std::string description;
+  std::vector<Column> columns;
+  std::string rest;  ///< of a table: further constraints; of a view: FROM, WHERE and GROUP BY
+};
+
+std::vector<SchemaObject> tables();
+
+/// The public contract: result, trace, progress, one view per figure, operators, disturbance_by_mutation_size. Their
+/// columns derive from the parameter registry.
+std::vector<SchemaObject> views();
+
+std::string table_sql(const SchemaObject& table);
+std::string view_sql(const SchemaObject& view);
+
+/// Makes the tables of an empty database and its row of `database`. To be called in a transaction.
+void create_tables(const Connection& connection);
+
+/// Drops and makes anew views and descriptions if they aren't those of this program. To be called in a transaction.
+void refresh_views(const Connection& connection);
+
+/// SHA-256 in hex over the views' SQL and all descriptions as they stand in the database.
+std::string stored_schema_fingerprint(const Connection& connection);
+
+/// `name` in double quotes, as an SQL identifier.
+std::string quoted(const std::string& name);
+
+std::int64_t unix_milliseconds();
+
+}  // namespace lamprey::storage

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "storage/results_store.hpp"
+#include "storage/statement.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lamprey::storage {
+
+/// Names of the columns of `sweep` that read_sweep_row takes, between commas.
+std::string sweep_columns();
+
+/// The present row of a statement that selects sweep_columns(). Throws StorageError (corrupt) if id or state aren't
+/// what a ResultsStore writes.
+Sweep read_sweep_row(const Statement& row, const std::string& path);
+
+/// In order of submission.
+std::vector<Sweep> read_sweeps(const Connection& connection);
+
+/// The sweep whose `column` (unique: sweep, id or name) has the value.
+template <typename Value>
+std::optional<Sweep> find_sweep_by(const Connection& connection, const std::string& column, const Value& value) {
+  Statement find(connection, "SELECT " + sweep_columns() + " FROM sweep WHERE " + column + " = ?");
+  find.bind(1, value);
+  if (!find.step()) return std::nullopt;
+  return read_sweep_row(find, connection.path());
+}
+
+/// SHA-256 over every column of `sweep` that never changes and that nothing else stored repeats in full.
+experiment::Digest sweep_checksum(const NewSweep& sweep, std::uint32_t science_version);
+
+/// The row of `database`.
+struct DatabaseRow {
+  experiment::Id128 id;
+  std::uint32_t science_version = 0;
+  std::uint64_t epoch = 0;
+};
+DatabaseRow read_database_row(const Connection& connection);
+
+}  // namespace lamprey::storage

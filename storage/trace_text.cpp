@@ -1,0 +1,100 @@
+#include "storage/trace_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <type_traits>
+
+namespace lamprey::storage {
+
+namespace {
+
+/// Longest row: ten digits of a cycle, four doubles of at most 24 characters, brackets and commas.
+constexpr std::size_t longest_row = 128;
+
+template <typename Number>
+char* write_number(char* position, char* end, Number value) {
+  return std::to_chars(position, end, value).ptr;
+}
+
+/// Reads the characters of a text one after the other; once something doesn't fit, `good` stays false.
+class Scanner {
+ public:
+  explicit Scanner(std::string_view text) : position_(text.data()), end_(text.data() + text.size()) {}
+
+  bool take(char expected) {
+    if (position_ == end_ || *position_ != expected) return false;
+    ++position_;
+    return true;
+  }
+
+  template <typename Number>
+  Number number() {
+    Number value{};
+    const auto [after, error] = std::from_chars(position_, end_, value);
+    if (error != std::errc{}) good_ = false;
+    if constexpr (std::is_floating_point_v<Number>) good_ = good_ && std::isfinite(value);
+    position_ = after;
+    return value;
+  }
+
+  void require(char expected) { good_ = take(expected) && good_; }
+  bool good() const { return good_; }
+  bool at_end() const { return position_ == end_; }
+
+ private:
+  const char* position_;
+  const char* end_;
+  bool good_ = true;
+};
+
+}  // namespace
+
+void write_trace(std::span<const experiment::AcceptedChange> trace, std::string& text) {
+  text.clear();
+  text += '[';
+  std::array<char, longest_row> row{};
+  char* const end = row.data() + row.size();
+  for (const auto& change : trace) {
+    if (text.size() > 1) text += ',';
+    char* position = row.data();
+    *position++ = '[';
+    position = write_number(position, end, change.cycle);
+    for (const double value : {change.score.stability, change.score.distance, change.score.fuel, change.score.total}) {
+      *position++ = ',';
+      position = write_number(position, end, value);
+    }
+    *position++ = ']';
+    text.append(row.data(), position);
+  }
+  text += ']';
+}
+
+std::optional<std::vector<experiment::AcceptedChange>> read_trace(std::string_view text) {
+  Scanner scanner(text);
+  std::vector<experiment::AcceptedChange> trace;
+  trace.reserve(static_cast<std::size_t>(std::ranges::count(text, '[')));
+  scanner.require('[');
+  for (bool more = !scanner.take(']'); more && scanner.good(); more = scanner.take(',')) {
+    scanner.require('[');
+    experiment::AcceptedChange change;
+    change.cycle = scanner.number<std::uint32_t>();
+    for (double* value : {&change.score.stability, &change.score.distance, &change.score.fuel, &change.score.total}) {
+      scanner.require(',');
+      *value = scanner.number<double>();
+    }
+    scanner.require(']');
+    trace.push_back(change);
+  }
+  if (!trace.empty()) scanner.require(']');
+  if (!scanner.good() || !scanner.at_end()) return std::nullopt;
+  return trace;
+}
+
+std::string shortest_text(double value) {
+  std::array<char, 32> text{};
+  return {text.data(), write_number(text.data(), text.data() + text.size(), value)};
+}
+
+}  // namespace lamprey::storage

@@ -1,0 +1,72 @@
+#include "tests/storage/support.hpp"
+
+#include <gmock/gmock.h>
+#include <sstream>
+
+namespace lamprey::storage::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// docs/formats/database.md against a small database.
+class DocumentationTest : public ::testing::Test {
+ protected:
+  DocumentationTest() {
+    ResultsStore store(path_);
+    const auto sweep = operator_sweep("mutate-all");
+    const auto row = store.add_sweep(sweep.what).sweep.row;
+    Batch batch;
+    for (std::uint64_t job = 0; job < sweep.grid.jobs(); ++job) batch.jobs.push_back(done_job(sweep, row, job));
+    store.commit(batch);
+  }
+
+  /// The ```sql blocks of the page.
+  std::vector<std::string> sql_blocks() const {
+    std::vector<std::string> blocks;
+    std::istringstream lines(page_);
+    bool inside = false;
+    for (std::string line; std::getline(lines, line);) {
+      if (line == "```sql") {
+        inside = true;
+        blocks.emplace_back();
+      } else if (line == "```") {
+        inside = false;
+      } else if (inside) {
+        blocks.back() += line + "\n";
+      }
+    }
+    return blocks;
+  }
+
+  TemporaryDirectory directory_;
+  std::string path_ = directory_.file("results.db");
+  std::string page_ = bytes_of(LAMPREY_DATABASE_PAGE);
+};
+
+TEST_F(DocumentationTest, EverySampleQueryRuns) {
+  const ResultsReader reader(path_);
+  const auto blocks = sql_blocks();
+  EXPECT_GE(blocks.size(), 8U);
+  for (const auto& block : blocks) EXPECT_NO_THROW(reader.query(block)) << block;
+}
+
+TEST_F(DocumentationTest, SampleQueriesOnResultsFindRows) {
+  const ResultsReader reader(path_);
+  for (const auto& block : sql_blocks()) {
+    const bool about_problems =
+        block.find("failed") != std::string::npos || block.find("divergence") != std::string::npos;
+    if (about_problems) continue;
+    EXPECT_GT(reader.query(block).rows.size(), 0U) << block;
+  }
+}
+
+TEST_F(DocumentationTest, PageNamesEveryTableViewAndColumn) {
+  const ResultsReader reader(path_);
+  for (const auto& row : reader.query("SELECT object, \"column\" FROM schema_description").rows) {
+    const auto name = row[1] == "\"\"" ? row[0] : row[1];
+    EXPECT_THAT(page_, HasSubstr("`" + name.substr(1, name.size() - 2) + "`")) << row[0] << "." << row[1];
+  }
+}
+
+}  // namespace
+}  // namespace lamprey::storage::testing
