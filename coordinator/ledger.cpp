@@ -1,0 +1,424 @@
+#include "coordinator/ledger.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace lamprey::coordinator {
+
+namespace {
+
+/// A lease that this many heartbeats in a row don't list is sent again; after this many repeats it is given up.
+constexpr int heartbeats_before_repeat = 2;
+constexpr int maximum_repeats = 3;
+
+/// A heartbeat may have been under way when the lease was sent: one that comes sooner after it says nothing.
+constexpr auto sending_time = std::chrono::milliseconds{200};
+
+/// Weight of the newest job in the running mean of seconds per job.
+constexpr double newest_weight = 0.05;
+
+JobRanges to_job_ranges(const std::vector<messaging::JobRange>& ranges) {
+  JobRanges jobs;
+  for (const auto& range : ranges) {
+    if (range.count > 0 && range.first + range.count > range.first) jobs.add(range.first, range.count);
+  }
+  return jobs;
+}
+
+std::vector<messaging::JobRange> to_messages(const JobRanges& jobs) {
+  std::vector<messaging::JobRange> ranges;
+  for (const auto& range : jobs.ranges()) ranges.push_back({range.first, range.count});
+  return ranges;
+}
+
+messaging::Lease revocation(std::uint64_t lease, const Id128& sweep, std::string reason) {
+  messaging::Lease message;
+  message.kind = messaging::LeaseKind::revoke;
+  message.lease = lease;
+  message.sweep = sweep;
+  message.reason = std::move(reason);
+  return message;
+}
+
+}  // namespace
+
+Ledger::Ledger(LedgerOptions options, Clock::time_point start, bool restarted, std::uint64_t first_lease)
+    : options_(options), grants_from_(restarted ? start + options.adoption_grace : start), next_lease_(first_lease) {}
+
+void Ledger::add_sweep(const Id128& sweep, std::uint64_t jobs, const JobRanges& ended) {
+  Sweep entry;
+  entry.pending = JobRanges(0, jobs);
+  entry.pending.remove(ended);
+  if (sweeps_.emplace(sweep, std::move(entry)).second) order_.push_back(sweep);
+}
+
+Ledger::Closed Ledger::close_sweep(const Id128& id) {
+  Closed closed;
+  const auto found = sweeps_.find(id);
+  if (found == sweeps_.end()) return closed;
+  closed.open_jobs = std::move(found->second.pending);
+  closed.open_jobs.add(found->second.leased);
+  for (const auto& part : found->second.suspects) closed.open_jobs.add(part);
+  for (auto it = leases_.begin(); it != leases_.end();) {
+    if (it->second.sweep != id) {
+      ++it;
+      continue;
+    }
+    auto message = revocation(it->first, id, "the sweep has ended");
+    message.origin.worker = it->second.worker;
+    closed.revocations.push_back(std::move(message));
+    workers_.at(it->second.worker).leases.erase(it->first);
+    it = leases_.erase(it);
+  }
+  sweeps_.erase(found);
+  std::erase(order_, id);
+  return closed;
+}
+
+std::uint64_t Ledger::pending(const Id128& id) const {
+  const auto found = sweeps_.find(id);
+  if (found == sweeps_.end()) return 0;
+  std::uint64_t jobs = found->second.pending.size();
+  for (const auto& part : found->second.suspects) jobs += part.size();
+  return jobs;
+}
+
+std::uint64_t Ledger::leased(const Id128& id) const {
+  const auto found = sweeps_.find(id);
+  return found == sweeps_.end() ? 0 : found->second.leased.size();
+}
+
+Ledger::Heartbeat Ledger::heartbeat(const messaging::WorkerStatus& status, const Id128& database,
+                                    Clock::time_point now) {
+  Heartbeat reaction;
+  const std::uint64_t id = status.origin.worker;
+  const auto known = workers_.find(id);
+  if (status.state == messaging::WorkerState::leaving) {
+    if (known == workers_.end()) return reaction;
+    reaction.left = true;
+    const auto leases = known->second.leases;
+    for (const auto lease : leases) release(lease);
+    workers_.erase(known);
+    return reaction;
+  }
+  // An old heartbeat that DDS delivers late or twice says nothing about now.
+  if (known != workers_.end() && status.heartbeat <= known->second.status.heartbeat) return reaction;
+  reaction.joined = known == workers_.end();
+  Worker& worker = workers_[id];
+  worker.status = status;
+  worker.heard = now;
+
+  if (status.origin.science_version != experiment::science_version) {
+    if (!std::exchange(worker.refused, true)) {
+      messaging::Lease refusal;
+      refusal.kind = messaging::LeaseKind::refuse;
+      refusal.reason = "the worker computes science version " + std::to_string(status.origin.science_version) +
+                       ", this database holds version " + std::to_string(experiment::science_version);
+      reaction.send.push_back(std::move(refusal));
+    }
+    return reaction;
+  }
+  if (reaction.joined) {
+    messaging::Lease welcome;
+    welcome.kind = messaging::LeaseKind::welcome;
+    reaction.send.push_back(std::move(welcome));
+  }
+
+  std::set<std::uint64_t> listed;
+  for (const auto& held : status.leases) {
+    if (held.database != database) continue;
+    listed.insert(held.lease);
+    const auto lease = leases_.find(held.lease);
+    if (lease != leases_.end() && lease->second.worker == id) {
+      lease->second.renewed = now;
+      lease->second.unlisted_heartbeats = 0;
+    } else {
+      adopt(worker, held, reaction, now);
+    }
+  }
+  repeat_unlisted(worker, listed, reaction, now);
+  return reaction;
+}
+
+void Ledger::adopt(Worker& worker, const messaging::HeldLease& held, Heartbeat& reaction, Clock::time_point now) {
+  const auto revoke = [&](const char* reason) { reaction.send.push_back(revocation(held.lease, held.sweep, reason)); };
+  const auto sweep = sweeps_.find(held.sweep);
+  if (sweep == sweeps_.end()) return revoke("the sweep is not running");
+  if (leases_.contains(held.lease)) return revoke("the lease belongs to another worker");
+  // Lease numbers grow with the epoch, so every lease that was ever granted has a lower one than the next.
+  if (held.lease >= next_lease_) return revoke("no such lease was granted");
+  const JobRanges free = take_free(sweep->second, to_job_ranges(held.remaining));
+  if (free.empty()) {
+    // Nothing to compute any more; results that the worker has already still get their acknowledgement.
+    return revoke("its jobs have ended or are leased to others");
+  }
+  sweep->second.leased.add(free);
+  reaction.adopted_jobs += free.size();
+  Lease lease;
+  lease.worker = worker.status.origin.worker;
+  lease.sweep = held.sweep;
+  lease.remaining = free;
+  lease.alone = free.size() == 1;
+  lease.renewed = now;
+  lease.sent = now;
+  leases_.emplace(held.lease, std::move(lease));
+  worker.leases.insert(held.lease);
+}
+
+/// Takes those of the wanted jobs that are leased to nobody: pending ones, and parts of leases that were thought lost.
+JobRanges Ledger::take_free(Sweep& sweep, const JobRanges& wanted) {
+  JobRanges free = sweep.pending.intersection(wanted);
+  sweep.pending.remove(free);
+  for (auto part = sweep.suspects.begin(); part != sweep.suspects.end();) {
+    const JobRanges shared = part->intersection(wanted);
+    part->remove(shared);
+    free.add(shared);
+    part = part->empty() ? sweep.suspects.erase(part) : std::next(part);
+  }
+  return free;
+}
+
+bool Ledger::take_suspect(Sweep& sweep, std::uint64_t job) {
+  for (auto part = sweep.suspects.begin(); part != sweep.suspects.end(); ++part) {
+    if (!part->take(job)) continue;
+    if (part->empty()) sweep.suspects.erase(part);
+    return true;
+  }
+  return false;
+}
+
+void Ledger::repeat_unlisted(Worker& worker, const std::set<std::uint64_t>& listed, Heartbeat& reaction,
+                             Clock::time_point now) {
+  const auto own = worker.leases;  // release() changes the original
+  for (const auto id : own) {
+    if (listed.contains(id)) continue;
+    Lease& lease = leases_.at(id);
+    if (now - lease.sent < sending_time) continue;
+    if (++lease.unlisted_heartbeats < heartbeats_before_repeat) continue;
+    lease.unlisted_heartbeats = 0;
+    if (++lease.repeats > maximum_repeats) {
+      release(id);
+    } else {
+      lease.sent = now;
+      reaction.send.push_back(grant_message(id, lease));
+    }
+  }
+}
+
+Ledger::Expired Ledger::expire(Clock::time_point now) {
+  Expired expired;
+  for (auto it = workers_.begin(); it != workers_.end();) {
+    if (now - it->second.heard <= options_.lease_duration) {
+      ++it;
+      continue;
+    }
+    const auto leases = it->second.leases;
+    for (const auto lease : leases) lose(lease, "its worker fell silent", expired);
+    expired.workers.push_back(it->first);
+    it = workers_.erase(it);
+  }
+  std::vector<std::uint64_t> overdue;
+  for (const auto& [id, lease] : leases_) {
+    if (now - lease.renewed > options_.lease_duration) overdue.push_back(id);
+  }
+  for (const auto id : overdue) {
+    expired.leases.push_back({id, leases_.at(id).worker, leases_.at(id).sweep, leases_.at(id).remaining.size(),
+                              "its worker no longer lists it"});
+    release(id);
+  }
+  return expired;
+}
+
+/// The worker lives or has said goodbye: its jobs are simply pending again.
+void Ledger::release(std::uint64_t id) {
+  const auto found = leases_.find(id);
+  Sweep& sweep = sweeps_.at(found->second.sweep);
+  sweep.leased.remove(found->second.remaining);
+  sweep.pending.add(found->second.remaining);
+  workers_.at(found->second.worker).leases.erase(id);
+  leases_.erase(found);
+}
+
+/// The worker died with the lease, and one of its jobs may be why. The lease is split in two, again and again if need
+/// be, until the culprit is leased alone; only then an attempt counts, and only if the job was reported running.
+void Ledger::lose(std::uint64_t id, const std::string& reason, Expired& expired) {
+  const Lease lease = leases_.at(id);
+  const Worker& worker = workers_.at(lease.worker);
+  expired.leases.push_back({id, lease.worker, lease.sweep, lease.remaining.size(), reason});
+  Sweep& sweep = sweeps_.at(lease.sweep);
+  JobRanges rest = lease.remaining;
+  if (rest.size() == 1) {
+    const std::uint64_t job = rest.ranges().front().first;
+    const bool was_running = std::ranges::any_of(
+        worker.status.running, [&](const auto& running) { return running.sweep == lease.sweep && running.job == job; });
+    if (lease.alone && was_running) {
+      if (auto quarantined = count_attempt(sweep, lease.sweep, job, lease.worker, reason)) {
+        expired.quarantined.push_back(std::move(*quarantined));
+        rest = {};
+      }
+    }
+    if (!rest.empty()) sweep.suspects.push_back(rest);
+  } else if (!rest.empty()) {
+    JobRanges half = rest.take_lowest(rest.size() / 2);
+    sweep.suspects.push_back(std::move(half));
+    sweep.suspects.push_back(std::move(rest));
+  }
+  sweep.leased.remove(lease.remaining);
+  workers_.at(lease.worker).leases.erase(id);
+  leases_.erase(id);
+}
+
+std::optional<QuarantinedJob> Ledger::count_attempt(Sweep& sweep, const Id128& id, std::uint64_t job,
+                                                    std::uint64_t worker, const std::string& reason) {
+  const std::uint32_t attempts = ++sweep.attempts[job];
+  if (attempts < options_.maximum_attempts) return std::nullopt;
+  return QuarantinedJob{id, job, attempts, worker, reason};
+}
+
+std::vector<Ledger::WorkerView> Ledger::workers() const {
+  std::vector<WorkerView> list;
+  for (const auto& [id, worker] : workers_) list.push_back({&worker.status, worker.leases.size()});
+  return list;
+}
+
+std::uint32_t Ledger::slots() const {
+  std::uint32_t slots = 0;
+  for (const auto& [id, worker] : workers_) {
+    if (!worker.refused) slots += worker.status.window;
+  }
+  return std::max(slots, 1U);
+}
+
+/// About lease_work of computation; towards the end less, so that all workers finish together.
+std::uint64_t Ledger::lease_jobs(const Sweep& sweep) const {
+  if (!sweep.seconds_per_job) return 1;
+  const double work = std::chrono::duration<double>(options_.lease_work).count();
+  const double jobs =
+      std::clamp(work / std::max(*sweep.seconds_per_job, 1e-9), 1.0, static_cast<double>(options_.maximum_lease_jobs));
+  const std::uint64_t fair_share = sweep.pending.size() / (2ULL * slots()) + 1;
+  return std::min(static_cast<std::uint64_t>(std::llround(jobs)), fair_share);
+}
+
+JobRanges Ledger::next_jobs(Sweep& sweep) const {
+  // Parts of lost leases wait until nothing else is left: a job that kills workers must not kill the sweep.
+  if (!sweep.pending.empty()) return sweep.pending.take_lowest(lease_jobs(sweep));
+  if (sweep.suspects.empty()) return {};
+  JobRanges jobs = std::move(sweep.suspects.front());
+  sweep.suspects.pop_front();
+  return jobs;
+}
+
+std::vector<Ledger::Grant> Ledger::grant(Clock::time_point now) {
+  std::vector<Grant> grants;
+  if (now < grants_from_) return grants;
+  bool granted = true;
+  for (std::size_t round = 1; granted; ++round) {
+    granted = false;
+    for (auto& [id, worker] : workers_) {
+      if (worker.refused || worker.status.state != messaging::WorkerState::ready) continue;
+      if (worker.leases.size() >= std::min<std::size_t>(worker.status.window, round)) {
+        granted = granted || worker.leases.size() < worker.status.window;
+        continue;
+      }
+      JobRanges jobs;
+      Id128 sweep_id;
+      for (const auto& candidate : order_) {
+        jobs = next_jobs(sweeps_.at(candidate));
+        sweep_id = candidate;
+        if (!jobs.empty()) break;
+      }
+      if (jobs.empty()) return grants;
+      Lease lease{id, sweep_id, std::move(jobs), worker.next_sequence++, false, now, now, 0, 0};
+      lease.alone = lease.remaining.size() == 1;
+      sweeps_.at(sweep_id).leased.add(lease.remaining);
+      const std::uint64_t number = next_lease_++;
+      grants.push_back({id, grant_message(number, lease)});
+      worker.leases.insert(number);
+      leases_.emplace(number, std::move(lease));
+      granted = true;
+    }
+  }
+  return grants;
+}
+
+messaging::Lease Ledger::grant_message(std::uint64_t id, const Lease& lease) const {
+  messaging::Lease message;
+  message.kind = messaging::LeaseKind::grant;
+  message.lease = id;
+  message.sequence = lease.sequence;
+  message.sweep = lease.sweep;
+  message.ranges = to_messages(lease.remaining);
+  message.duration_milliseconds = static_cast<std::uint32_t>(
+      std::chrono::duration_cast<std::chrono::milliseconds>(options_.lease_duration).count());
+  return message;
+}
+
+bool Ledger::is_open(const Id128& id, std::uint64_t job) const {
+  const auto found = sweeps_.find(id);
+  if (found == sweeps_.end()) return false;
+  const Sweep& sweep = found->second;
+  return sweep.leased.contains(job) || sweep.pending.contains(job) ||
+         std::ranges::any_of(sweep.suspects, [job](const JobRanges& part) { return part.contains(job); });
+}
+
+std::map<std::uint64_t, Ledger::Lease>::iterator Ledger::lease_of(const Id128& sweep, std::uint64_t job,
+                                                                  std::uint64_t hint) {
+  const auto holds = [&](const Lease& lease) { return lease.sweep == sweep && lease.remaining.contains(job); };
+  const auto hinted = leases_.find(hint);
+  if (hinted != leases_.end() && holds(hinted->second)) return hinted;
+  return std::ranges::find_if(leases_, [&](const auto& entry) { return holds(entry.second); });
+}
+
+void Ledger::ended(const Id128& id, std::uint64_t job, std::uint64_t hint, double seconds) {
+  const auto found = sweeps_.find(id);
+  if (found == sweeps_.end()) return;
+  Sweep& sweep = found->second;
+  sweep.attempts.erase(job);
+  if (seconds >= 0 && std::isfinite(seconds)) {
+    sweep.seconds_per_job =
+        sweep.seconds_per_job ? *sweep.seconds_per_job + newest_weight * (seconds - *sweep.seconds_per_job) : seconds;
+  }
+  if (!sweep.leased.take(job)) {
+    if (!sweep.pending.take(job)) take_suspect(sweep, job);
+    return;
+  }
+  const auto lease = lease_of(id, job, hint);
+  if (lease == leases_.end()) return;
+  lease->second.remaining.take(job);
+  if (!lease->second.remaining.empty()) return;
+  workers_.at(lease->second.worker).leases.erase(lease->first);
+  leases_.erase(lease);
+}
+
+std::optional<QuarantinedJob> Ledger::refused(const Id128& id, std::uint64_t job, std::uint64_t worker,
+                                              const std::string& reason) {
+  const auto found = sweeps_.find(id);
+  if (found == sweeps_.end()) return std::nullopt;
+  const auto lease = lease_of(id, job, 0);
+  if (lease == leases_.end() || lease->second.worker != worker) return std::nullopt;
+  Sweep& sweep = found->second;
+  auto quarantined = count_attempt(sweep, id, job, worker, reason);
+  const std::uint32_t attempts = sweep.attempts[job];
+  ended(id, job, lease->first, -1);
+  if (!quarantined) {
+    sweep.attempts[job] = attempts;
+    sweep.suspects.emplace_back(job, 1);
+  }
+  return quarantined;
+}
+
+std::size_t Ledger::live_workers() const {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(workers_, [](const auto& entry) { return !entry.second.refused; }));
+}
+
+std::uint32_t Ledger::attempts(const Id128& id, std::uint64_t job) const {
+  const auto found = sweeps_.find(id);
+  if (found == sweeps_.end()) return 0;
+  const auto attempts = found->second.attempts.find(job);
+  return attempts == found->second.attempts.end() ? 0 : attempts->second;
+}
+
+}  // namespace lamprey::coordinator

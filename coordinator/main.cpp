@@ -1,0 +1,77 @@
+#include "coordinator/coordinator.hpp"
+#include "messaging/program/build_info.hpp"
+#include "messaging/program/exit_codes.hpp"
+#include "messaging/program/join_options.hpp"
+#include "messaging/program/logging.hpp"
+#include "messaging/program/stop.hpp"
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <memory>
+#include <spdlog/spdlog.h>
+#include <string>
+
+namespace {
+
+using namespace lamprey;
+namespace program = messaging::program;
+
+/// Commits and heartbeats are looked after at least this often.
+constexpr auto longest_wait = std::chrono::milliseconds{25};
+
+struct Options {
+  std::string database;
+  messaging::JoinOptions join;
+  program::LoggingOptions logging;
+};
+
+int serve(const Options& options) {
+  storage::ResultsStore store(options.database);
+  auto signal = std::make_shared<messaging::Signal>();
+  const program::StopOnSignal stop(signal);
+  const auto participant = messaging::join(options.join);
+  spdlog::info("{}, database {}, epoch {}, {} domain {}, isolation {}", program::build(), options.database,
+               store.epoch(), participant->vendor(), options.join.domain, options.join.isolation);
+  coordinator::Coordinator coordinator(*participant, std::move(store), signal, {}, coordinator::Clock::now());
+  while (!stop.requested()) {
+    signal->wait_for(longest_wait);
+    coordinator.step(coordinator::Clock::now());
+  }
+  coordinator.finish(coordinator::Clock::now());
+  spdlog::info("stopped");
+  return program::exit_ok;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  CLI::App app("Splits sweeps into jobs, leases them to workers over DDS, and stores their results in SQLite.");
+  app.name("lamprey-coordinator");
+  app.set_version_flag("--version", program::build());
+  Options options;
+  app.add_option("--database", options.database, "Results database; made if it does not exist")
+      ->required()
+      ->type_name("FILE");
+  program::add_join_options(app, options.join);
+  program::add_logging_options(app, options.logging);
+  try {
+    app.parse(count, arguments);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? program::exit_ok : program::exit_usage;
+  }
+  try {
+    program::start_logging(options.logging, "lamprey-coordinator");
+    return serve(options);
+  } catch (const storage::StorageError& error) {
+    spdlog::error("{}", error.what());
+    return program::exit_storage;
+  } catch (const messaging::JoinError& error) {
+    spdlog::error("{}", error.what());
+    return program::exit_unreachable;
+  } catch (const std::exception& error) {
+    spdlog::error("{}", error.what());
+    return program::exit_failure;
+  }
+}

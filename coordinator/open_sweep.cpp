@@ -1,0 +1,102 @@
+#include "coordinator/open_sweep.hpp"
+
+#include "experiment/job.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace lamprey::coordinator {
+
+namespace {
+
+constexpr auto rate_window = std::chrono::seconds{10};
+
+bool finite(const experiment::Score& score) {
+  return std::isfinite(score.stability) && std::isfinite(score.distance) && std::isfinite(score.fuel) &&
+         std::isfinite(score.total);
+}
+
+std::string outcome_fault(const experiment::Outcome& outcome, std::int64_t cycles) {
+  for (const auto* score : {&outcome.expected, &outcome.initial, &outcome.evolved, &outcome.highest, &outcome.final}) {
+    if (!finite(*score)) return "a score is not a finite number";
+  }
+  if (!std::isfinite(outcome.success_rate)) return "the success rate is not a finite number";
+  if (outcome.cycles != cycles) {
+    return "it ran " + std::to_string(outcome.cycles) + " cycles instead of " + std::to_string(cycles);
+  }
+  if (outcome.accepted != outcome.trace.size()) {
+    return "its trace has " + std::to_string(outcome.trace.size()) + " rows for " + std::to_string(outcome.accepted) +
+           " accepted changes";
+  }
+  std::int64_t previous = -1;
+  for (const auto& change : outcome.trace) {
+    if (!finite(change.score)) return "a score of its trace is not a finite number";
+    if (change.cycle <= previous || change.cycle >= cycles) return "the cycles of its trace are out of order or range";
+    previous = change.cycle;
+  }
+  return {};
+}
+
+storage::EndedJob head(const OpenSweep& sweep, const experiment::Job& job) {
+  storage::EndedJob row;
+  row.sweep = sweep.stored.row;
+  row.job = job.number;
+  row.identity = experiment::identity(job);
+  row.parameters = experiment::to_json(job.parameters);
+  row.seed = job.seed;
+  row.replicate = job.replicate;
+  return row;
+}
+
+}  // namespace
+
+void EndRate::note(Clock::time_point now, std::uint64_t ended) {
+  history_.emplace_back(now, ended);
+  while (history_.size() > 2 && now - history_.front().first > rate_window) history_.pop_front();
+}
+
+double EndRate::per_second() const {
+  if (history_.size() < 2) return 0;
+  const double seconds = std::chrono::duration<double>(history_.back().first - history_.front().first).count();
+  return seconds > 0 ? static_cast<double>(history_.back().second - history_.front().second) / seconds : 0;
+}
+
+Judgement judge(const OpenSweep& sweep, const messaging::Origin& origin, const messaging::JobResult& result) {
+  const auto refuse = [](std::string why) { return Judgement{std::nullopt, std::move(why)}; };
+  if (origin.science_version != sweep.stored.science_version) {
+    return refuse("it was computed under science version " + std::to_string(origin.science_version));
+  }
+  if (result.job >= sweep.stored.what.jobs) return refuse("the sweep has no such job");
+  const experiment::Job job = sweep.grid->job(result.job);
+  storage::EndedJob row = head(sweep, job);
+  if (result.identity != row.identity) return refuse("its identity is not that of the job");
+  row.worker = origin.worker;
+  row.seconds = std::isfinite(result.seconds) && result.seconds >= 0 ? result.seconds : 0;
+  if (result.kind == messaging::ResultKind::failed) {
+    row.state = storage::JobState::failed;
+    row.reason = result.reason;
+    return {std::move(row), {}};
+  }
+  if (auto fault = outcome_fault(result.outcome, job.parameters.integer("cycles")); !fault.empty()) {
+    return refuse(std::move(fault));
+  }
+  if (experiment::outcome_digest(*row.identity, result.outcome) != result.digest) {
+    return refuse("its digest is not that of its values");
+  }
+  row.state = storage::JobState::done;
+  row.digest = result.digest;
+  row.outcome = result.outcome;
+  return {std::move(row), {}};
+}
+
+storage::EndedJob quarantined_row(const OpenSweep& sweep, std::uint64_t job, std::uint32_t attempts,
+                                  std::uint64_t worker, const std::string& reason) {
+  storage::EndedJob row = head(sweep, sweep.grid->job(job));
+  row.state = storage::JobState::quarantined;
+  row.attempt = attempts;
+  row.worker = worker;
+  row.reason = reason;
+  return row;
+}
+
+}  // namespace lamprey::coordinator

@@ -1,0 +1,122 @@
+// Results in, acknowledgements out: nothing is acknowledged before it is durable, and every result gets an answer.
+#include "coordinator/coordinator.hpp"
+
+#include <algorithm>
+#include <spdlog/spdlog.h>
+#include <utility>
+
+namespace lamprey::coordinator {
+
+namespace {
+
+/// Acknowledgements in one sample: about 32 KB.
+constexpr std::size_t answers_per_sample = 400;
+
+constexpr const char* cancelled_job = "the job was cancelled";
+
+}  // namespace
+
+void Coordinator::take_results(Clock::time_point now) {
+  // Bounded per step, so that heartbeats and requests are heard however many results are queued.
+  for (auto& batch : results_->take(64)) {
+    // Another database's results are another coordinator's business.
+    if (batch.origin.database != store_.database_id() || batch.origin.worker == 0) continue;
+    if (batch_.empty() && answers_.empty()) staged_since_ = now;
+    for (auto& fragment : batch.results) {
+      if (auto whole = assembler_.add(batch.origin.worker, batch.sweep, std::move(fragment))) {
+        take_result(batch.origin, batch.sweep, std::move(*whole));
+      }
+    }
+  }
+}
+
+void Coordinator::take_result(const messaging::Origin& origin, const Id128& id, messaging::JobResult result) {
+  const auto found = sweeps_.find(id);
+  if (found == sweeps_.end()) {
+    const auto ended = ended_sweeps_.find(id);
+    if (ended == ended_sweeps_.end()) return refuse(origin, id, result, "this database has no such sweep");
+    return answer_known(nullptr, ended->second, origin, id, result);
+  }
+  OpenSweep& sweep = found->second;
+  const auto staged = staged_.find({id, result.job});
+  if (staged != staged_.end() || !ledger_.is_open(id, result.job)) {
+    return answer_known(&sweep, sweep.stored.row, origin, id, result);
+  }
+  auto judgement = judge(sweep, origin, result);
+  if (!judgement.row) return refuse(origin, id, result, judgement.refusal);
+  judgement.row->attempt = ledger_.attempts(id, result.job) + 1;
+  staged_bytes_ += messaging::wire_bytes(result);
+  staged_.emplace(std::pair(id, result.job), result.digest);
+  if (judgement.row->state == storage::JobState::failed) {
+    spdlog::warn("job {} of sweep {} failed: {}", result.job, sweep.stored.what.name, result.reason);
+  }
+  batch_.jobs.push_back(std::move(*judgement.row));
+  stage({origin.worker,
+         {id, result.job, result.digest, messaging::Verdict::committed, {}},
+         result.lease,
+         batch_.jobs.back().seconds,
+         true});
+}
+
+/// The job has ended already, or its row is about to be written: the same digest again is a duplicate, another one is
+/// never silently dropped.
+void Coordinator::answer_known(OpenSweep* sweep, std::int64_t row, const messaging::Origin& origin, const Id128& id,
+                               const messaging::JobResult& result) {
+  std::optional<storage::ResultsStore::StoredJob> stored;
+  if (const auto staged = staged_.find({id, result.job}); staged != staged_.end()) {
+    stored = {.state = storage::JobState::done, .digest = staged->second};
+  } else {
+    stored = store_.find_job(row, result.job);
+  }
+  // A sweep that is being cancelled has jobs without a row yet.
+  const bool cancelling = sweep != nullptr && result.job < sweep->stored.what.jobs;
+  if (!stored && !cancelling) return refuse(origin, id, result, "the sweep has no such job");
+  if (!stored || stored->state == storage::JobState::cancelled) {
+    return refuse(origin, id, result, cancelled_job);
+  }
+  messaging::Acknowledgement answer{id, result.job, result.digest, messaging::Verdict::duplicate, {}};
+  const bool comparable = stored->digest && result.kind == messaging::ResultKind::done;
+  if (comparable && *stored->digest != result.digest && *stored->digest != Digest{}) {
+    answer.verdict = messaging::Verdict::divergent;
+    answer.reason = "stored with digest " + experiment::to_hex(*stored->digest);
+    spdlog::error("DIVERGENCE: job {} of sweep {} has digest {}, worker {:016x} computed {}", result.job,
+                  sweep != nullptr ? sweep->stored.what.name : experiment::to_hex(id),
+                  experiment::to_hex(*stored->digest), origin.worker, experiment::to_hex(result.digest));
+    batch_.divergences.push_back({row, result.job, *stored->digest, result.digest, origin.worker});
+    event("divergence", origin.worker, answer.reason, row, result.job);
+  }
+  stage({origin.worker, std::move(answer), result.lease, -1, false});
+}
+
+void Coordinator::refuse(const messaging::Origin& origin, const Id128& id, const messaging::JobResult& result,
+                         const std::string& reason) {
+  // Late results are what cancelling a sweep is about: no news.
+  const auto level = reason == cancelled_job ? spdlog::level::debug : spdlog::level::warn;
+  spdlog::log(level, "a result of worker {:016x} for job {} of sweep {} is refused: {}", origin.worker, result.job,
+              experiment::to_hex(id), reason);
+  if (auto quarantined = ledger_.refused(id, result.job, origin.worker, reason)) quarantine(*quarantined);
+  stage({origin.worker, {id, result.job, result.digest, messaging::Verdict::refused, reason}, result.lease, -1, false});
+}
+
+void Coordinator::stage(StagedAnswer answer) {
+  answers_.push_back(std::move(answer));
+}
+
+void Coordinator::acknowledge(const std::vector<StagedAnswer>& answers) {
+  std::map<std::uint64_t, messaging::ResultAcknowledgement> samples;
+  const auto flush = [&](std::uint64_t worker, messaging::ResultAcknowledgement& sample) {
+    sample.origin = origin(worker);
+    acknowledgements_.write(worker, sample);
+    sample.results.clear();
+  };
+  for (const auto& answer : answers) {
+    auto& sample = samples[answer.worker];
+    sample.results.push_back(answer.acknowledgement);
+    if (sample.results.size() >= answers_per_sample) flush(answer.worker, sample);
+  }
+  for (auto& [worker, sample] : samples) {
+    if (!sample.results.empty()) flush(worker, sample);
+  }
+}
+
+}  // namespace lamprey::coordinator

@@ -1,0 +1,172 @@
+#include "coordinator/ledger.hpp"
+
+#include <gtest/gtest.h>
+
+namespace lamprey::coordinator {
+namespace {
+
+constexpr Id128 database{1, 2};
+constexpr Id128 sweep{3, 4};
+
+class LedgerTest : public testing::Test {
+ protected:
+  Clock::time_point now{std::chrono::hours{1}};
+  Ledger ledger{LedgerOptions{}, now, false, std::uint64_t{1} << 32};
+
+  messaging::WorkerStatus status(std::uint64_t worker, std::uint64_t heartbeat, std::uint32_t window = 2) {
+    messaging::WorkerStatus sample;
+    sample.origin = {database, 1, worker, experiment::science_version};
+    sample.heartbeat = heartbeat;
+    sample.window = window;
+    return sample;
+  }
+  void beat(std::uint64_t worker, std::uint64_t heartbeat, std::uint32_t window = 2) {
+    ledger.heartbeat(status(worker, heartbeat, window), database, now);
+  }
+};
+
+TEST_F(LedgerTest, FirstLeasesAreSingleJobsAndLaterOnesLastAboutASecond) {
+  ledger.add_sweep(sweep, 100'000, {});
+  beat(7, 1, 4);
+  auto grants = ledger.grant(now);
+  ASSERT_EQ(grants.size(), 4U);
+  for (const auto& grant : grants) EXPECT_EQ(grant.lease.ranges.at(0).count, 1U);
+  for (const auto& grant : grants) ledger.ended(sweep, grant.lease.ranges[0].first, grant.lease.lease, 0.004);
+  grants = ledger.grant(now);
+  ASSERT_EQ(grants.size(), 4U);
+  EXPECT_EQ(grants[0].lease.ranges.at(0).count, 250U);
+}
+
+TEST_F(LedgerTest, TowardsTheEndLeasesGetSmallerSoThatAllFinishTogether) {
+  ledger.add_sweep(sweep, 40, {});
+  beat(7, 1, 2);
+  beat(8, 1, 2);
+  for (const auto& grant : ledger.grant(now)) ledger.ended(sweep, grant.lease.ranges[0].first, grant.lease.lease, 1e-6);
+  for (const auto& grant : ledger.grant(now)) EXPECT_LE(grant.lease.ranges[0].count, 5U);
+}
+
+TEST_F(LedgerTest, EveryJobIsInExactlyOneLease) {
+  ledger.add_sweep(sweep, 1'000, JobRanges(100, 50));
+  for (std::uint64_t worker = 1; worker <= 5; ++worker) beat(worker, 1, 8);
+  JobRanges granted;
+  std::uint64_t count = 0;
+  for (auto grants = ledger.grant(now); !grants.empty(); grants = ledger.grant(now)) {
+    for (const auto& grant : grants) {
+      for (const auto& range : grant.lease.ranges) {
+        granted.add(range.first, range.count);
+        count += range.count;
+        for (std::uint64_t job = range.first; job < range.first + range.count; ++job) {
+          ledger.ended(sweep, job, grant.lease.lease, 0.01);
+        }
+      }
+    }
+  }
+  EXPECT_EQ(count, 950U);
+  EXPECT_EQ(granted.size(), 950U);
+  EXPECT_EQ(ledger.pending(sweep) + ledger.leased(sweep), 0U);
+}
+
+TEST_F(LedgerTest, AfterARestartNothingIsGrantedBeforeWorkersHaveReported) {
+  Ledger restarted(LedgerOptions{}, now, true, std::uint64_t{2} << 32);
+  restarted.add_sweep(sweep, 10, {});
+  restarted.heartbeat(status(7, 1), database, now);
+  EXPECT_TRUE(restarted.grant(now + std::chrono::seconds{1}).empty());
+  EXPECT_FALSE(restarted.grant(now + std::chrono::seconds{2}).empty());
+}
+
+TEST_F(LedgerTest, AdoptsALeaseOfAnEarlierEpochAndLeavesItsJobsToTheHolder) {
+  Ledger restarted(LedgerOptions{}, now, true, std::uint64_t{2} << 32);
+  restarted.add_sweep(sweep, 10, JobRanges(0, 2));
+  auto holder = status(7, 1);
+  holder.leases = {{database, 1, (std::uint64_t{1} << 32) + 5, sweep, {{1, 4}}}};
+  const auto reaction = restarted.heartbeat(holder, database, now);
+  EXPECT_EQ(reaction.adopted_jobs, 3U);
+  EXPECT_EQ(restarted.leased(sweep), 3U);
+  EXPECT_EQ(restarted.pending(sweep), 5U);
+}
+
+TEST_F(LedgerTest, LeasesOfAnotherDatabaseAreNotTouched) {
+  ledger.add_sweep(sweep, 10, {});
+  auto holder = status(7, 1);
+  holder.leases = {{Id128{9, 9}, 1, 5, sweep, {{1, 4}}}};
+  const auto reaction = ledger.heartbeat(holder, database, now);
+  EXPECT_EQ(reaction.adopted_jobs, 0U);
+  ASSERT_EQ(reaction.send.size(), 1U);
+  EXPECT_EQ(reaction.send[0].kind, messaging::LeaseKind::welcome);
+}
+
+TEST_F(LedgerTest, SilentWorkerLosesItsLeasesWhichAreSplit) {
+  ledger.add_sweep(sweep, 1'000, {});
+  beat(7, 1, 1);
+  auto grants = ledger.grant(now);
+  ledger.ended(sweep, 0, grants[0].lease.lease, 0.01);
+  grants = ledger.grant(now);
+  ASSERT_EQ(grants.size(), 1U);
+  const auto jobs = grants[0].lease.ranges[0].count;
+  EXPECT_EQ(jobs, 100U);
+  EXPECT_TRUE(ledger.expire(now + std::chrono::seconds{4}).leases.empty());
+  const auto expired = ledger.expire(now + std::chrono::seconds{6});
+  ASSERT_EQ(expired.leases.size(), 1U);
+  EXPECT_EQ(expired.workers, (std::vector<std::uint64_t>{7}));
+  EXPECT_EQ(ledger.pending(sweep), 999U);
+  EXPECT_EQ(ledger.leased(sweep), 0U);
+  EXPECT_TRUE(ledger.is_open(sweep, 1)) << "a part of a lost lease is still wanted";
+}
+
+TEST_F(LedgerTest, AnAttemptCountsOnlyForAJobLeasedAloneAndReportedRunning) {
+  ledger.add_sweep(sweep, 1, {});
+  for (std::uint32_t attempt = 1; attempt <= 5; ++attempt) {
+    const std::uint64_t worker = attempt;
+    beat(worker, 1, 1);
+    ASSERT_EQ(ledger.grant(now).size(), 1U);
+    now += std::chrono::seconds{6};
+    const auto expired = ledger.expire(now);
+    ASSERT_EQ(expired.leases.size(), 1U);
+    EXPECT_TRUE(expired.quarantined.empty()) << "it was never reported running";
+  }
+  for (std::uint32_t attempt = 1; attempt <= 3; ++attempt) {
+    const std::uint64_t worker = 100 + attempt;
+    beat(worker, 1, 1);
+    const auto grants = ledger.grant(now);
+    ASSERT_EQ(grants.size(), 1U);
+    auto running = status(worker, 2, 1);
+    running.running = {{sweep, 0}};
+    running.leases = {{database, 1, grants[0].lease.lease, sweep, {{0, 1}}}};
+    ledger.heartbeat(running, database, now);
+    now += std::chrono::seconds{6};
+    EXPECT_EQ(ledger.expire(now).quarantined.size(), attempt == 3 ? 1U : 0U);
+  }
+}
+
+TEST_F(LedgerTest, OldHeartbeatsAreIgnored) {
+  ledger.add_sweep(sweep, 10, {});
+  beat(7, 5);
+  now += std::chrono::seconds{4};
+  beat(7, 4);
+  now += std::chrono::seconds{2};
+  EXPECT_EQ(ledger.expire(now).workers.size(), 1U) << "the old heartbeat did not keep it alive";
+}
+
+TEST_F(LedgerTest, ClosedSweepRevokesItsLeasesAndReturnsItsOpenJobs) {
+  ledger.add_sweep(sweep, 10, {});
+  beat(7, 1, 2);
+  ASSERT_EQ(ledger.grant(now).size(), 2U);
+  const auto closed = ledger.close_sweep(sweep);
+  EXPECT_EQ(closed.open_jobs.size(), 10U);
+  EXPECT_EQ(closed.revocations.size(), 2U);
+  EXPECT_FALSE(ledger.is_open(sweep, 3));
+  EXPECT_TRUE(ledger.grant(now).empty());
+}
+
+TEST_F(LedgerTest, HostileRangesOfALeaseDoNoHarm) {
+  Ledger restarted(LedgerOptions{}, now, true, std::uint64_t{2} << 32);
+  restarted.add_sweep(sweep, 10, {});
+  auto holder = status(7, 1);
+  holder.leases = {{database, 1, 5, sweep, {{~std::uint64_t{0}, 2}, {5, ~std::uint64_t{0}}, {0, 0}, {8, 100}}}};
+  const auto reaction = restarted.heartbeat(holder, database, now);
+  EXPECT_EQ(reaction.adopted_jobs, 2U);
+  EXPECT_EQ(restarted.pending(sweep), 8U);
+}
+
+}  // namespace
+}  // namespace lamprey::coordinator

@@ -1,0 +1,321 @@
+// What the coordinator grants, accepts and refuses.
+#include "tests/coordinator/site.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace lamprey::tests {
+namespace {
+
+using messaging::Verdict;
+
+/// A worker by hand: writes what the test wants, collects what it is answered.
+class HandWorker {
+ public:
+  HandWorker(Site& site, std::uint64_t incarnation)
+      : site_(site),
+        incarnation_(incarnation),
+        participant_(site.bus.join("hand")),
+        status_(participant_->writer<messaging::WorkerStatus>()),
+        results_(participant_->writer<messaging::ResultBatch>()),
+        leases_(participant_->reader<messaging::Lease>(signal_, messaging::Partition::of(incarnation))),
+        acknowledgements_(
+            participant_->reader<messaging::ResultAcknowledgement>(signal_, messaging::Partition::of(incarnation))) {}
+
+  std::uint32_t science_version = experiment::science_version;
+
+  std::vector<messaging::Lease> heartbeat(std::vector<messaging::HeldLease> held = {}) {
+    messaging::WorkerStatus status;
+    status.origin = {{}, 0, incarnation_, science_version};
+    status.heartbeat = ++heartbeats_;
+    status.threads = 1;
+    status.window = 2;
+    status.host = "hand";
+    status.leases = std::move(held);
+    EXPECT_TRUE(static_cast<bool>(status_->write(status)));
+    site_.advance(std::chrono::milliseconds{100});
+    return leases_->take();
+  }
+
+  std::vector<messaging::Acknowledgement> send(const messaging::Origin& origin, const experiment::Id128& sweep,
+                                               const messaging::JobResult& result) {
+    messaging::ResultBatch batch;
+    batch.origin = origin;
+    batch.origin.worker = incarnation_;
+    batch.sweep = sweep;
+    batch.results = {result};
+    EXPECT_TRUE(static_cast<bool>(results_->write(batch)));
+    site_.advance(std::chrono::milliseconds{200});
+    std::vector<messaging::Acknowledgement> answers;
+    for (const auto& sample : acknowledgements_->take()) {
+      answers.insert(answers.end(), sample.results.begin(), sample.results.end());
+    }
+    return answers;
+  }
+
+ private:
+  Site& site_;
+  std::uint64_t incarnation_;
+  std::uint64_t heartbeats_ = 0;
+  std::shared_ptr<messaging::Signal> signal_ = std::make_shared<messaging::Signal>();
+  std::unique_ptr<messaging::Participant> participant_;
+  std::unique_ptr<messaging::Writer<messaging::WorkerStatus>> status_;
+  std::unique_ptr<messaging::Writer<messaging::ResultBatch>> results_;
+  std::unique_ptr<messaging::Reader<messaging::Lease>> leases_;
+  std::unique_ptr<messaging::Reader<messaging::ResultAcknowledgement>> acknowledgements_;
+};
+
+messaging::JobResult computed(const experiment::SweepGrid& grid, std::uint64_t number) {
+  const std::vector<experiment::Job> job{grid.job(number)};
+  auto result = experiment::make_scalar_engine()->run(job, {}).front();
+  messaging::JobResult message;
+  message.job = number;
+  message.identity = result.identity;
+  message.outcome = std::get<experiment::Outcome>(std::move(result.result));
+  message.digest = experiment::outcome_digest(message.identity, message.outcome);
+  return message;
+}
+
+class ProtocolRules : public testing::Test {
+ protected:
+  void SetUp() override {
+    site.start_coordinator();
+    site.submit(yaml);
+    leases = hand.heartbeat();
+    ASSERT_FALSE(leases.empty());
+    origin = leases.back().origin;
+    sweep = leases.back().sweep;
+  }
+  std::vector<messaging::Acknowledgement> send(const messaging::JobResult& result) {
+    return hand.send(origin, sweep, result);
+  }
+  void expect_refused(const messaging::JobResult& result, const std::string& reason) {
+    const auto answers = send(result);
+    ASSERT_EQ(answers.size(), 1U);
+    EXPECT_EQ(answers[0].verdict, Verdict::refused);
+    EXPECT_THAT(answers[0].reason, testing::HasSubstr(reason));
+    EXPECT_EQ(site.rows(), 0U);
+  }
+
+  std::string yaml = small_sweep("rules", 16);
+  Site site;
+  HandWorker hand{site, 0x77};
+  experiment::SweepGrid grid{experiment::parse_sweep(yaml, "test").specification};
+  std::vector<messaging::Lease> leases;
+  messaging::Origin origin;
+  experiment::Id128 sweep;
+};
+
+TEST_F(ProtocolRules, WorkerIsWelcomedAndGetsNoMoreLeasesThanItsWindow) {
+  ASSERT_EQ(leases.size(), 3U);
+  EXPECT_EQ(leases[0].kind, messaging::LeaseKind::welcome);
+  EXPECT_EQ(leases[1].kind, messaging::LeaseKind::grant);
+  EXPECT_EQ(leases[1].sequence, 1U);
+  EXPECT_EQ(leases[2].sequence, 2U);
+  EXPECT_NE(leases[1].lease, leases[2].lease);
+  EXPECT_EQ(leases[1].ranges, (std::vector<messaging::JobRange>{{0, 1}}));
+  EXPECT_EQ(leases[2].ranges, (std::vector<messaging::JobRange>{{1, 1}}));
+}
+
+TEST_F(ProtocolRules, ResultIsCommittedOnceThenADuplicate) {
+  const auto result = computed(grid, 0);
+  const auto first = send(result);
+  ASSERT_EQ(first.size(), 1U);
+  EXPECT_EQ(first[0].verdict, Verdict::committed);
+  EXPECT_EQ(site.rows(), 1U);
+  const auto second = send(result);
+  ASSERT_EQ(second.size(), 1U);
+  EXPECT_EQ(second[0].verdict, Verdict::duplicate);
+  EXPECT_EQ(site.rows(), 1U);
+}
+
+TEST_F(ProtocolRules, ResultOfAJobThatIsNotLeasedCountsToo) {
+  EXPECT_EQ(send(computed(grid, 15)).at(0).verdict, Verdict::committed);
+}
+
+TEST_F(ProtocolRules, AnotherDigestIsADivergenceAndTheFirstStays) {
+  auto result = computed(grid, 0);
+  const auto stored = experiment::to_hex(result.digest);
+  ASSERT_EQ(send(result).at(0).verdict, Verdict::committed);
+  result.outcome.evolved.fuel += 1;
+  result.digest = experiment::outcome_digest(result.identity, result.outcome);
+  EXPECT_EQ(send(result).at(0).verdict, Verdict::divergent);
+  EXPECT_EQ(site.number("SELECT count(*) FROM divergence"), 1U);
+  EXPECT_EQ(site.number("SELECT count(*) FROM result WHERE digest = '" + stored + "'"), 1U);
+  EXPECT_EQ(site.rows(), 1U);
+}
+
+TEST_F(ProtocolRules, ForgedDigestIsRefused) {
+  auto result = computed(grid, 0);
+  result.digest[5] ^= 1;
+  expect_refused(result, "digest");
+}
+
+TEST_F(ProtocolRules, OutcomeOfAnotherJobIsRefused) {
+  auto result = computed(grid, 0);
+  result.job = 1;
+  expect_refused(result, "identity");
+}
+
+TEST_F(ProtocolRules, JobBeyondTheSweepIsRefused) {
+  auto result = computed(grid, 0);
+  result.job = 16;
+  expect_refused(result, "no such job");
+}
+
+TEST_F(ProtocolRules, ValuesThatAreNotNumbersAreRefused) {
+  auto result = computed(grid, 0);
+  result.outcome.final.total = std::numeric_limits<double>::quiet_NaN();
+  result.digest = experiment::outcome_digest(result.identity, result.outcome);
+  expect_refused(result, "finite");
+}
+
+TEST_F(ProtocolRules, TraceThatDoesNotFitItsCountersIsRefused) {
+  auto result = computed(grid, 0);
+  result.outcome.accepted += 1;
+  result.digest = experiment::outcome_digest(result.identity, result.outcome);
+  expect_refused(result, "trace");
+}
+
+TEST_F(ProtocolRules, ResultOfAnotherScienceVersionIsRefused) {
+  origin.science_version += 1;
+  expect_refused(computed(grid, 0), "science version");
+}
+
+TEST_F(ProtocolRules, ResultOfAnUnknownSweepIsRefused) {
+  sweep.low += 1;
+  expect_refused(computed(grid, 0), "no such sweep");
+}
+
+TEST_F(ProtocolRules, ResultsForAnotherDatabaseAreNobodysBusiness) {
+  origin.database.low += 1;
+  EXPECT_TRUE(send(computed(grid, 0)).empty());
+  EXPECT_EQ(site.rows(), 0U);
+}
+
+TEST_F(ProtocolRules, RefusedResultsOfAStrangerCannotQuarantineAJob) {
+  HandWorker stranger(site, 0x99);
+  auto forged = computed(grid, 0);
+  forged.digest[0] ^= 1;
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(stranger.send(origin, sweep, forged).at(0).verdict, Verdict::refused);
+  EXPECT_EQ(site.rows(), 0U);
+  EXPECT_EQ(send(computed(grid, 0)).at(0).verdict, Verdict::committed);
+}
+
+TEST_F(ProtocolRules, FailedJobIsARowWithItsReason) {
+  messaging::JobResult failed;
+  failed.job = 0;
+  failed.kind = messaging::ResultKind::failed;
+  failed.identity = experiment::identity(grid.job(0));
+  failed.reason = "out of paper";
+  EXPECT_EQ(send(failed).at(0).verdict, Verdict::committed);
+  EXPECT_EQ(site.rows("state = 'failed' AND reason = 'out of paper'"), 1U);
+}
+
+TEST_F(ProtocolRules, LeaseThatWasNeverGrantedIsRevoked) {
+  const messaging::HeldLease invented{origin.database, 1, ~std::uint64_t{0}, sweep, {{5, 3}}};
+  std::vector<messaging::HeldLease> held{invented};
+  for (const auto& lease : leases) {
+    if (lease.kind == messaging::LeaseKind::grant)
+      held.push_back({origin.database, 1, lease.lease, sweep, lease.ranges});
+  }
+  const auto answers = hand.heartbeat(held);
+  ASSERT_EQ(answers.size(), 1U);
+  EXPECT_EQ(answers[0].kind, messaging::LeaseKind::revoke);
+  EXPECT_EQ(answers[0].lease, invented.lease);
+}
+
+TEST_F(ProtocolRules, WorkerOfAnotherScienceVersionGetsNoLeaseAndIsToldWhy) {
+  HandWorker stranger(site, 0x98);
+  stranger.science_version += 1;
+  const auto answers = stranger.heartbeat();
+  ASSERT_EQ(answers.size(), 1U);
+  EXPECT_EQ(answers[0].kind, messaging::LeaseKind::refuse);
+  EXPECT_THAT(answers[0].reason, testing::HasSubstr("science version 2"));
+}
+
+TEST_F(ProtocolRules, CancelledSweepHasARowPerJobAndRefusesLateResults) {
+  ASSERT_EQ(send(computed(grid, 0)).at(0).verdict, Verdict::committed);
+  idl::Request request;
+  request.mutable_cancel()->set_sweep("rules");
+  EXPECT_EQ(site.ask(request).cancel().cancelled(), 15U);
+  ASSERT_TRUE(site.run_to_end());
+  EXPECT_EQ(site.rows("state = 'cancelled'"), 15U);
+  EXPECT_EQ(site.rows("state = 'done'"), 1U);
+  EXPECT_EQ(site.ask(request).cancel().cancelled(), 15U) << "again: the same answer";
+  const auto answers = send(computed(grid, 3));
+  ASSERT_EQ(answers.size(), 1U);
+  EXPECT_EQ(answers[0].verdict, Verdict::refused);
+  EXPECT_EQ(site.number("SELECT count(*) FROM sweep WHERE state = 'cancelled'"), 1U);
+}
+
+TEST_F(ProtocolRules, CancellingGoesOnAfterARestart) {
+  idl::Request request;
+  request.mutable_cancel()->set_sweep("rules");
+  site.ask(request);
+  site.kill_coordinator();
+  site.start_coordinator();
+  ASSERT_TRUE(site.run_to_end());
+  EXPECT_EQ(site.rows("state = 'cancelled'"), 16U);
+}
+
+TEST_F(ProtocolRules, SubmittingTheSameSweepAgainNamesTheSameSweep) {
+  idl::Request request;
+  *request.mutable_submit()->mutable_specification() = experiment::parse_sweep(yaml, "test").specification;
+  const auto reply = site.ask(request);
+  ASSERT_TRUE(reply.has_submit());
+  EXPECT_TRUE(reply.submit().existed());
+  EXPECT_EQ(site.number("SELECT count(*) FROM sweep"), 1U);
+}
+
+TEST_F(ProtocolRules, AnotherSweepOfTheSameNameIsRefused) {
+  idl::Request request;
+  *request.mutable_submit()->mutable_specification() =
+      experiment::parse_sweep(small_sweep("rules", 20), "test").specification;
+  const auto reply = site.ask(request);
+  ASSERT_TRUE(reply.has_error());
+  EXPECT_EQ(reply.error().code(), "name_taken");
+}
+
+TEST_F(ProtocolRules, InvalidSpecificationIsRefusedByTheCoordinatorToo) {
+  idl::Request request;
+  auto* specification = request.mutable_submit()->mutable_specification();
+  *specification = experiment::parse_sweep(small_sweep("bad"), "test").specification;
+  specification->mutable_base(0)->set_parameter("cylces");
+  const auto reply = site.ask(request);
+  ASSERT_TRUE(reply.has_error());
+  EXPECT_EQ(reply.error().code(), "invalid_specification");
+  EXPECT_THAT(reply.error().messages(0), testing::HasSubstr("cycles"));
+  EXPECT_EQ(site.number("SELECT count(*) FROM sweep"), 1U);
+}
+
+TEST_F(ProtocolRules, UnknownSweepIsAnsweredWithTheNearestName) {
+  idl::Request request;
+  request.mutable_cancel()->set_sweep("ruels");
+  const auto reply = site.ask(request);
+  ASSERT_TRUE(reply.has_error());
+  EXPECT_EQ(reply.error().code(), "unknown_sweep");
+  EXPECT_THAT(reply.error().messages(0), testing::HasSubstr("'rules'"));
+}
+
+TEST_F(ProtocolRules, ResultsArePagedInOrderOfJob) {
+  site.start_worker();
+  ASSERT_TRUE(site.run_to_end());
+  std::vector<std::string> digests;
+  std::uint64_t next = 0;
+  for (bool more = true; more;) {
+    idl::Request request;
+    request.mutable_results()->set_sweep("rules");
+    request.mutable_results()->set_first_job(next);
+    request.mutable_results()->set_limit(5);
+    const auto reply = site.ask(request);
+    ASSERT_TRUE(reply.has_results());
+    for (const auto& row : reply.results().rows()) digests.push_back(row.values(3));
+    more = reply.results().has_next_job();
+    next = reply.results().next_job();
+  }
+  EXPECT_EQ(digests.size(), 16U);
+}
+
+}  // namespace
+}  // namespace lamprey::tests

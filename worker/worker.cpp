@@ -1,0 +1,249 @@
+#include "worker/worker.hpp"
+
+#include <algorithm>
+#include <spdlog/spdlog.h>
+#include <utility>
+#include <variant>
+
+namespace lamprey::worker {
+
+namespace {
+
+/// News (a lease taken, a lease ended) is told at once, but not more often than this.
+constexpr auto shortest_status_interval = std::chrono::milliseconds{20};
+
+/// More coordinators, or sweeps, than any site has: what comes from the network must not fill the memory.
+constexpr std::size_t most_coordinators = 256;
+constexpr std::size_t most_sweeps = 100'000;
+
+messaging::JobResult to_message(const Task& task, experiment::BatchResult computed) {
+  messaging::JobResult message;
+  message.job = task.job;
+  message.lease = task.lease;
+  message.identity = computed.identity;
+  message.seconds = computed.seconds;
+  if (auto* outcome = std::get_if<experiment::Outcome>(&computed.result)) {
+    message.kind = messaging::ResultKind::done;
+    message.digest = experiment::outcome_digest(computed.identity, *outcome);
+    message.outcome = std::move(*outcome);
+  } else {
+    message.kind = messaging::ResultKind::failed;
+    message.reason = std::get<experiment::Failure>(computed.result).reason;
+  }
+  return message;
+}
+
+}  // namespace
+
+Worker::Worker(messaging::Participant& participant, JobExecutor& executor, std::shared_ptr<messaging::Signal> signal,
+               WorkerOptions options, Clock::time_point now)
+    : executor_(executor),
+      options_(std::move(options)),
+      vendor_(participant.vendor()),
+      specifications_(participant.reader<messaging::SweepSpecification>(signal)),
+      leases_(participant.reader<messaging::Lease>(signal, messaging::Partition::of(options_.incarnation))),
+      acknowledgements_(
+          participant.reader<messaging::ResultAcknowledgement>(signal, messaging::Partition::of(options_.incarnation))),
+      status_(participant.writer<messaging::WorkerStatus>()),
+      results_(participant.writer<messaging::ResultBatch>()),
+      outbox_(options_.outbox),
+      status_due_(now) {}
+
+void Worker::step(Clock::time_point now) {
+  take_specifications();
+  take_leases();
+  take_acknowledgements();
+  take_finished(now);
+  start_jobs();
+  send_results(now);
+  send_status(now);
+}
+
+/// Whether the sample comes from the newest coordinator known for its database. A newer one than before may not have
+/// what was sent to its predecessor, and wants to hear at once what this worker holds.
+bool Worker::current(const messaging::Origin& origin) {
+  const auto known = coordinators_.find(origin.database);
+  if (known != coordinators_.end() && origin.epoch < known->second.epoch) return false;
+  if (known == coordinators_.end() && coordinators_.size() >= most_coordinators) return false;
+  auto& coordinator = coordinators_[origin.database];
+  if (origin.epoch > coordinator.epoch) {
+    if (coordinator.epoch > 0) {
+      spdlog::info("the coordinator has started anew (epoch {}); {} results are sent to it again", origin.epoch,
+                   outbox_.held());
+    }
+    coordinator = {.epoch = origin.epoch, .last_lease_sequence = 0};
+    outbox_.resend_all(origin.database);
+    status_changed_ = true;
+  }
+  last_database_ = origin.database;
+  return true;
+}
+
+void Worker::take_specifications() {
+  for (const auto& sample : specifications_->take()) {
+    if (!current(sample.origin)) continue;
+    const auto key = std::pair(sample.origin.database, sample.sweep);
+    if (!sample.open) {
+      grids_.erase(key);
+      continue;
+    }
+    if (grids_.contains(key) || grids_.size() >= most_sweeps) continue;
+    idl::SweepSpecification specification;
+    const auto& bytes = sample.specification;
+    if (!specification.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) {
+      spdlog::error("sweep {}: its specification cannot be read; is the coordinator of another version?", sample.name);
+      continue;
+    }
+    try {
+      grids_[key] = std::make_shared<const experiment::SweepGrid>(specification);
+      spdlog::info("sweep {}: {} jobs", sample.name, grids_[key]->jobs());
+    } catch (const experiment::InvalidInput& error) {
+      grids_.erase(key);
+      spdlog::error("sweep {}: {}; is the coordinator of another version?", sample.name, error.what());
+    }
+  }
+}
+
+void Worker::take_leases() {
+  for (const auto& lease : leases_->take()) {
+    if (!current(lease.origin)) continue;
+    auto& coordinator = coordinators_[lease.origin.database];
+    coordinator.last_lease_sequence = std::max(coordinator.last_lease_sequence, lease.sequence);
+    switch (lease.kind) {
+      case messaging::LeaseKind::welcome:
+        spdlog::info("connected to a coordinator, epoch {}", lease.origin.epoch);
+        break;
+      case messaging::LeaseKind::refuse:
+        spdlog::error("the coordinator gives this worker no work: {}", lease.reason);
+        break;
+      case messaging::LeaseKind::revoke: {
+        const LeaseBook::Key key{lease.origin.database, lease.lease};
+        executor_.drop(key.first, key.second);
+        if (book_.revoke(key)) spdlog::info("lease {:x} is revoked: {}", lease.lease, lease.reason);
+        status_changed_ = true;
+        break;
+      }
+      case messaging::LeaseKind::grant:
+        if (!leaving_ && lease.origin.science_version == experiment::science_version && book_.grant(lease)) {
+          status_changed_ = true;
+        }
+        break;
+    }
+  }
+}
+
+void Worker::take_acknowledgements() {
+  for (const auto& sample : acknowledgements_->take()) {
+    if (!current(sample.origin)) continue;
+    for (const auto& answer : sample.results) {
+      if (!outbox_.acknowledge(sample.origin.database, answer)) continue;
+      const std::size_t leases = book_.size();
+      book_.settled(sample.origin.database, answer.sweep, answer.job);
+      status_changed_ = status_changed_ || book_.size() != leases;
+      // The coordinator, which knows the whole story, has logged it at the level that it deserves.
+      if (answer.verdict == messaging::Verdict::refused) {
+        spdlog::info("the result of job {} is refused: {}", answer.job, answer.reason);
+      } else if (answer.verdict == messaging::Verdict::divergent) {
+        spdlog::error("the result of job {} is divergent: {}", answer.job, answer.reason);
+      }
+    }
+  }
+}
+
+void Worker::take_finished(Clock::time_point now) {
+  for (auto& finished : executor_.take_finished()) {
+    if (std::holds_alternative<experiment::Interrupted>(finished.result.result)) continue;
+    ++jobs_done_;
+    outbox_.add(finished.task.database, finished.task.sweep, to_message(finished.task, std::move(finished.result)),
+                now);
+  }
+}
+
+void Worker::start_jobs() {
+  if (leaving_) return;
+  if (outbox_.full()) {
+    if (!std::exchange(said_full_, true)) {
+      spdlog::warn("{} results wait for a coordinator; nothing more is computed until it has taken some",
+                   outbox_.held());
+    }
+    return;
+  }
+  said_full_ = false;
+  const auto wanted = executor_.wanted();
+  if (wanted == 0) return;
+  std::vector<Task> tasks;
+  const auto known = [this](const Id128& database, const Id128& sweep) { return grids_.contains({database, sweep}); };
+  for (const auto& start : book_.start(wanted, known)) {
+    if (outbox_.holds(start.lease.first, start.sweep, start.job)) continue;
+    const auto& grid = grids_.at({start.lease.first, start.sweep});
+    if (start.job >= grid->jobs()) {
+      book_.settled(start.lease.first, start.sweep, start.job);
+      continue;
+    }
+    tasks.push_back({start.lease.first, start.sweep, start.lease.second, start.job, grid});
+  }
+  if (!tasks.empty()) executor_.submit(std::move(tasks));
+}
+
+void Worker::send_results(Clock::time_point now) {
+  const bool flush = leaving_ || executor_.idle();
+  for (auto& batch : outbox_.due(now, flush)) {
+    const Id128 database = batch.origin.database;
+    batch.origin = {database, coordinators_[database].epoch, options_.incarnation, experiment::science_version};
+    batch.sequence = ++batches_;
+    const auto written = results_->write(batch);
+    if (written) continue;
+    if (written.kind == messaging::WriteResult::Kind::failed) spdlog::warn("results were not sent: {}", written.error);
+    outbox_.postpone(batch, now);
+  }
+}
+
+messaging::WorkerStatus Worker::status() const {
+  messaging::WorkerStatus status;
+  const auto coordinator = coordinators_.find(last_database_);
+  const bool known = coordinator != coordinators_.end();
+  status.origin = {last_database_, known ? coordinator->second.epoch : 0, options_.incarnation,
+                   experiment::science_version};
+  status.heartbeat = heartbeats_;
+  status.state = leaving_ ? messaging::WorkerState::draining : messaging::WorkerState::ready;
+  status.threads = executor_.threads();
+  status.window = outbox_.full() ? 0 : executor_.threads() * options_.leases_per_thread;
+  status.last_lease_sequence = known ? coordinator->second.last_lease_sequence : 0;
+  status.jobs_done = jobs_done_;
+  status.results_held = outbox_.held();
+  status.leases = book_.held();
+  status.running = executor_.running();
+  status.host = options_.host;
+  status.process = options_.process;
+  status.build = options_.build;
+  status.dds = vendor_;
+  return status;
+}
+
+void Worker::send_status(Clock::time_point now) {
+  const bool news = status_changed_ && now - last_status_ >= shortest_status_interval;
+  if (!news && now < status_due_) return;
+  ++heartbeats_;
+  if (auto result = status_->write(status()); !result) spdlog::debug("heartbeat: {}", result.error);
+  last_status_ = now;
+  status_due_ = now + options_.heartbeat;
+  status_changed_ = false;
+}
+
+void Worker::begin_leaving(Clock::time_point now) {
+  leaving_ = true;
+  executor_.stop();
+  take_finished(now);
+  status_changed_ = true;
+}
+
+void Worker::goodbye(Clock::time_point now) {
+  book_.clear();
+  ++heartbeats_;
+  auto last = status();
+  last.state = messaging::WorkerState::leaving;
+  if (auto result = status_->write(last); !result) spdlog::debug("goodbye: {}", result.error);
+  last_status_ = now;
+}
+
+}  // namespace lamprey::worker
