@@ -1,0 +1,126 @@
+#include "experiment/parameters.hpp"
+
+#include "client/commands/commands.hpp"
+#include "client/failure.hpp"
+#include "client/json.hpp"
+#include "client/option_checks.hpp"
+#include "client/output/formatting.hpp"
+#include "client/output/table.hpp"
+
+#include <memory>
+#include <string>
+
+namespace lamprey::client::commands {
+
+namespace {
+
+using experiment::Parameter;
+using experiment::ParameterKind;
+
+struct Options {
+  std::vector<std::string> names;
+};
+
+/// A bound of a number: whole ones as such.
+experiment::Value bound(const Parameter& parameter, double value) {
+  if (parameter.kind == ParameterKind::integer) return static_cast<std::int64_t>(value);
+  return value;
+}
+
+std::string range_text(const Parameter& parameter) {
+  if (parameter.kind == ParameterKind::choice) {
+    return output::joined({parameter.choices.begin(), parameter.choices.end()}, ", ");
+  }
+  return experiment::to_text(bound(parameter, parameter.minimum)) + " to " +
+         experiment::to_text(bound(parameter, parameter.maximum));
+}
+
+std::string applies_text(const Parameter& parameter) {
+  std::string text;
+  for (const auto& condition : parameter.applies_when) {
+    if (!text.empty()) text += " and ";
+    text += std::string(condition.parameter) + (condition.is ? " is " : " is not ") + std::string(condition.value);
+  }
+  return text.empty() ? "always" : text;
+}
+
+std::string kind_name(ParameterKind kind) {
+  switch (kind) {
+    case ParameterKind::choice:
+      return "choice";
+    case ParameterKind::integer:
+      return "integer";
+    case ParameterKind::real:
+      return "real";
+  }
+  return {};
+}
+
+Json json_of(const Parameter& parameter) {
+  Json json = {{"name", parameter.name},
+               {"meaning", parameter.meaning},
+               {"unit", parameter.unit},
+               {"kind", kind_name(parameter.kind)},
+               {"default", as_json(parameter.default_value)}};
+  if (parameter.kind == ParameterKind::choice) {
+    json["choices"] = parameter.choices;
+  } else {
+    json["minimum"] = as_json(bound(parameter, parameter.minimum));
+    json["maximum"] = as_json(bound(parameter, parameter.maximum));
+  }
+  json["applies_when"] = Json::array();
+  for (const auto& condition : parameter.applies_when) {
+    json["applies_when"].push_back(
+        {{"parameter", condition.parameter}, {"is", condition.is}, {"value", condition.value}});
+  }
+  json["source"] = parameter.source;
+  return json;
+}
+
+std::vector<const Parameter*> chosen(const std::vector<std::string>& names) {
+  std::vector<const Parameter*> rows;
+  std::vector<std::string_view> known;
+  for (const auto& parameter : experiment::registry()) {
+    known.push_back(parameter.name);
+    if (names.empty()) rows.push_back(&parameter);
+  }
+  for (const auto& name : names) {
+    const auto* parameter = experiment::find_parameter(name);
+    if (parameter == nullptr) throw Failure(exit_usage, "unknown_parameter", unknown_name("parameter", name, known));
+    rows.push_back(parameter);
+  }
+  return rows;
+}
+
+ExitCode parameters(const Options& options, const Context& context) {
+  const auto rows = chosen(options.names);
+  if (context.format == Format::json) {
+    Json json = document("parameters");
+    json["science_version"] = experiment::science_version;
+    json["parameters"] = Json::array();
+    for (const auto* row : rows) json["parameters"].push_back(json_of(*row));
+    print(context.console, json);
+    return exit_ok;
+  }
+  output::Table table({{"name"}, {"default"}, {"unit"}, {"takes"}, {"applies when"}});
+  for (const auto* row : rows) {
+    table.add({std::string(row->name), experiment::to_text(row->default_value), std::string(row->unit),
+               range_text(*row), applies_text(*row)});
+    table.note(std::string(row->meaning) + " [" + std::string(row->source) + "]");
+  }
+  table.print(context.console);
+  return exit_ok;
+}
+
+}  // namespace
+
+Action declare_parameters(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  app.description(
+      "Lists the parameters of experiments: name, default, unit, what it takes, when it applies, its meaning and, in "
+      "brackets, where the thesis has it. These are the names in sweep files, on command lines and in the database.");
+  app.add_option("NAME", options->names, "Only these parameters");
+  return [options](const Context& context) { return parameters(*options, context); };
+}
+
+}  // namespace lamprey::client::commands

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "messaging/program/exit_codes.hpp"
+
+namespace lamprey::client {
+
+using enum messaging::program::ExitCode;
+using messaging::program::ExitCode;
+
+}  // namespace lamprey::client

@@ -1,0 +1,117 @@
+#include "tests/client/site.hpp"
+
+#include "coordinator/coordinator.hpp"
+#include "experiment/batch_engine.hpp"
+#include "experiment/sweep.hpp"
+#include "storage/results_store.hpp"
+#include "worker/worker.hpp"
+
+#include <fstream>
+#include <unistd.h>
+
+namespace lamprey::tests {
+
+const char* const small_sweep =
+    "name: small\n"
+    "seed: 7\n"
+    "base: {cycles: 20, mutation: all}\n"
+    "grids:\n"
+    "  - {steps: [uniform, normal], required_fuel: [25, 50]}\n"
+    "replicates: 2\n";
+
+Site::Site() {
+  static std::atomic<int> counter{0};
+  directory_ = std::filesystem::temp_directory_path() /
+               ("lamprey-client-" + std::to_string(::getpid()) + "-" + std::to_string(counter++));
+  std::filesystem::create_directories(directory_);
+}
+
+Site::~Site() {
+  std::filesystem::remove_all(directory_);
+}
+
+ToolRun Site::run(const std::vector<std::string>& arguments, std::size_t columns) {
+  std::ostringstream out;
+  std::ostringstream err;
+  const client::output::Console console{.out = out, .err = err, .columns = columns};
+  const client::Environment environment{.join = [this](const messaging::JoinOptions&) { return bus.join("client"); },
+                                        .interrupted = [this] { return interrupted.load(); },
+                                        .program_folder = directory_};
+  ToolRun run;
+  run.exit_code = client::run_tool(arguments, console, environment);
+  run.out = out.str();
+  run.err = err.str();
+  return run;
+}
+
+std::string Site::file(const std::string& name, const std::string& text) const {
+  std::ofstream(directory_ / name) << text;
+  return path(name);
+}
+
+std::string Site::database(const std::string& yaml, std::uint64_t done) const {
+  const auto file = experiment::parse_sweep(yaml, "test.yaml");
+  const experiment::SweepGrid grid(file.specification);
+  storage::ResultsStore store(path("results.db"));
+  const auto row = store
+                       .add_sweep({.id = experiment::sweep_id(file.specification),
+                                   .name = file.specification.name(),
+                                   .specification = file.specification.SerializeAsString(),
+                                   .source = yaml,
+                                   .seed = file.specification.seed(),
+                                   .replicates = grid.replicates(),
+                                   .jobs = grid.jobs()})
+                       .sweep.row;
+  const auto engine = experiment::make_scalar_engine();
+  storage::Batch batch;
+  for (std::uint64_t number = 0; number <= done && number < grid.jobs(); ++number) {
+    const auto job = grid.job(number);
+    storage::EndedJob ended;
+    ended.sweep = row;
+    ended.job = number;
+    ended.identity = experiment::identity(job);
+    ended.parameters = experiment::to_json(job.parameters);
+    ended.seed = job.seed;
+    ended.replicate = job.replicate;
+    if (number < done) {
+      ended.outcome = std::get<experiment::Outcome>(engine->run({&job, 1}, {}).front().result);
+      ended.digest = experiment::outcome_digest(*ended.identity, *ended.outcome);
+    } else {
+      ended.state = storage::JobState::failed;
+      ended.reason = "no memory";
+    }
+    batch.jobs.push_back(std::move(ended));
+  }
+  store.commit(batch);
+  return path("results.db");
+}
+
+RunningCoordinator::RunningCoordinator(Site& site, const std::string& database, bool with_worker)
+    : site_(site), thread_([this, database, with_worker] { serve(database, with_worker); }) {}
+
+RunningCoordinator::~RunningCoordinator() {
+  stop_ = true;
+  thread_.join();
+}
+
+void RunningCoordinator::serve(std::string database, bool with_worker) {
+  const auto now = [] { return std::chrono::steady_clock::now(); };
+  const auto signal = std::make_shared<messaging::Signal>();
+  const auto participant = site_.bus.join("coordinator");
+  coordinator::Coordinator coordinator(*participant, storage::ResultsStore(database), signal, {}, now());
+  const auto worker_participant = site_.bus.join("worker");
+  const auto executor = worker::make_thread_pool(1, signal);
+  worker::WorkerOptions options;
+  options.incarnation = 0xabc;
+  options.host = "test-host";
+  options.build = "test";
+  worker::Worker worker(*worker_participant, *executor, signal, options, now());
+  while (!stop_) {
+    coordinator.step(now());
+    if (with_worker) worker.step(now());
+    signal->wait_for(std::chrono::milliseconds{5});
+  }
+  coordinator.finish(now());
+}
+
+}  // namespace lamprey::tests
