@@ -1,0 +1,227 @@
+#include "messaging/cyclonedds/wire.hpp"
+#include "messaging/wire_enums.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace lamprey::messaging::cyclonedds {
+namespace {
+
+/// The generated structs have pointers to non-const, but dds_write only reads through them.
+char* lend(const std::string& text) {
+  return const_cast<char*>(text.c_str());
+}
+
+template <class Sequence>
+void set(Sequence& sequence, decltype(Sequence::_buffer) buffer, std::size_t length) {
+  sequence._buffer = buffer;
+  sequence._length = static_cast<std::uint32_t>(length);
+  sequence._maximum = sequence._length;
+  sequence._release = false;
+}
+
+void lend(dds_sequence_octet& sequence, const std::vector<std::uint8_t>& octets) {
+  set(sequence, const_cast<std::uint8_t*>(octets.data()), octets.size());
+}
+
+/// `convert(element)` of each element, in the arena.
+template <class Sequence, class Element, class Convert>
+void convert_all(Sequence& sequence, const std::vector<Element>& elements, Arena& arena, Convert convert) {
+  using Target = std::remove_pointer_t<decltype(Sequence::_buffer)>;
+  auto* const buffer = static_cast<Target*>(arena.allocate(elements.size() * sizeof(Target), alignof(Target)));
+  std::transform(elements.begin(), elements.end(), buffer, convert);
+  set(sequence, buffer, elements.size());
+}
+
+lamprey_wire_Origin convert(const Origin& origin) {
+  return {.database_high = origin.database.high,
+          .database_low = origin.database.low,
+          .epoch = origin.epoch,
+          .science_version = origin.science_version};
+}
+
+lamprey_wire_JobRange convert(const JobRange& range) {
+  return {.first = range.first, .count = range.count};
+}
+
+lamprey_wire_RunningJob convert(const RunningJob& running) {
+  return {.sweep_high = running.sweep.high, .sweep_low = running.sweep.low, .job = running.job};
+}
+
+lamprey_wire_Score convert(const experiment::Score& score) {
+  return {.stability = score.stability, .distance = score.distance, .fuel = score.fuel, .total = score.total};
+}
+
+lamprey_wire_HeldLease convert(const HeldLease& lease, Arena& arena) {
+  lamprey_wire_HeldLease wire{};
+  wire.database_high = lease.database.high;
+  wire.database_low = lease.database.low;
+  wire.epoch = lease.epoch;
+  wire.lease = lease.lease;
+  wire.sweep_high = lease.sweep.high;
+  wire.sweep_low = lease.sweep.low;
+  convert_all(wire.remaining, lease.remaining, arena, [](const JobRange& range) { return convert(range); });
+  return wire;
+}
+
+lamprey_wire_Outcome convert(const experiment::Outcome& outcome, Arena& arena) {
+  using experiment::AcceptedChange;
+  lamprey_wire_Outcome wire{};
+  wire.expected = convert(outcome.expected);
+  wire.initial = convert(outcome.initial);
+  wire.evolved = convert(outcome.evolved);
+  wire.highest = convert(outcome.highest);
+  wire.last = convert(outcome.final);
+  wire.cycles = outcome.cycles;
+  wire.accepted = outcome.accepted;
+  wire.successes = outcome.successes;
+  wire.success_rate = outcome.success_rate;
+  convert_all(wire.trace.cycles, outcome.trace, arena, [](const AcceptedChange& change) { return change.cycle; });
+  convert_all(wire.trace.stability, outcome.trace, arena, [](const AcceptedChange& c) { return c.score.stability; });
+  convert_all(wire.trace.distance, outcome.trace, arena, [](const AcceptedChange& c) { return c.score.distance; });
+  convert_all(wire.trace.fuel, outcome.trace, arena, [](const AcceptedChange& c) { return c.score.fuel; });
+  convert_all(wire.trace.total, outcome.trace, arena, [](const AcceptedChange& c) { return c.score.total; });
+  return wire;
+}
+
+lamprey_wire_JobResult convert(const JobResult& result, Arena& arena) {
+  lamprey_wire_JobResult wire{};
+  wire.job = result.job;
+  wire.kind = to_enumerator<lamprey_wire_ResultKind>(result.kind);
+  wire.lease = result.lease;
+  wire.fragment = result.fragment;
+  wire.fragments = result.fragments;
+  std::copy(result.identity.begin(), result.identity.end(), wire.identity);
+  std::copy(result.digest.begin(), result.digest.end(), wire.digest);
+  wire.outcome = convert(result.outcome, arena);
+  wire.seconds = result.seconds;
+  wire.reason = lend(result.reason);
+  return wire;
+}
+
+lamprey_wire_Acknowledgement convert(const Acknowledgement& acknowledgement) {
+  lamprey_wire_Acknowledgement wire{};
+  wire.sweep_high = acknowledgement.sweep.high;
+  wire.sweep_low = acknowledgement.sweep.low;
+  wire.job = acknowledgement.job;
+  std::copy(acknowledgement.digest.begin(), acknowledgement.digest.end(), wire.digest);
+  wire.verdict = to_enumerator<lamprey_wire_Verdict>(acknowledgement.verdict);
+  wire.reason = lend(acknowledgement.reason);
+  return wire;
+}
+
+}  // namespace
+
+lamprey_wire_WorkerStatus to_wire(const WorkerStatus& sample, Arena& arena) {
+  lamprey_wire_WorkerStatus wire{};
+  wire.worker = sample.origin.worker;
+  wire.origin = convert(sample.origin);
+  wire.heartbeat = sample.heartbeat;
+  wire.state = to_enumerator<lamprey_wire_WorkerState>(sample.state);
+  wire.threads = sample.threads;
+  wire.window = sample.window;
+  wire.last_lease_sequence = sample.last_lease_sequence;
+  wire.jobs_done = sample.jobs_done;
+  wire.results_held = sample.results_held;
+  convert_all(wire.leases, sample.leases, arena, [&](const HeldLease& lease) { return convert(lease, arena); });
+  convert_all(wire.running, sample.running, arena, [](const RunningJob& running) { return convert(running); });
+  wire.host = lend(sample.host);
+  wire.process = sample.process;
+  wire.build = lend(sample.build);
+  wire.dds = lend(sample.dds);
+  return wire;
+}
+
+lamprey_wire_SweepSpecification to_wire(const SweepSpecification& sample, Arena&) {
+  lamprey_wire_SweepSpecification wire{};
+  wire.sweep_high = sample.sweep.high;
+  wire.sweep_low = sample.sweep.low;
+  wire.worker = sample.origin.worker;
+  wire.origin = convert(sample.origin);
+  wire.name = lend(sample.name);
+  wire.open = sample.open;
+  lend(wire.specification, sample.specification);
+  return wire;
+}
+
+lamprey_wire_Lease to_wire(const Lease& sample, Arena& arena) {
+  lamprey_wire_Lease wire{};
+  wire.worker = sample.origin.worker;
+  wire.origin = convert(sample.origin);
+  wire.kind = to_enumerator<lamprey_wire_LeaseKind>(sample.kind);
+  wire.lease_sequence = sample.sequence;
+  wire.lease = sample.lease;
+  wire.sweep_high = sample.sweep.high;
+  wire.sweep_low = sample.sweep.low;
+  convert_all(wire.ranges, sample.ranges, arena, [](const JobRange& range) { return convert(range); });
+  wire.duration_milliseconds = sample.duration_milliseconds;
+  wire.reason = lend(sample.reason);
+  return wire;
+}
+
+lamprey_wire_ResultBatch to_wire(const ResultBatch& sample, Arena& arena) {
+  lamprey_wire_ResultBatch wire{};
+  wire.worker = sample.origin.worker;
+  wire.origin = convert(sample.origin);
+  wire.batch_sequence = sample.sequence;
+  wire.sweep_high = sample.sweep.high;
+  wire.sweep_low = sample.sweep.low;
+  convert_all(wire.results, sample.results, arena, [&](const JobResult& result) { return convert(result, arena); });
+  return wire;
+}
+
+lamprey_wire_ResultAcknowledgement to_wire(const ResultAcknowledgement& sample, Arena& arena) {
+  lamprey_wire_ResultAcknowledgement wire{};
+  wire.worker = sample.origin.worker;
+  wire.origin = convert(sample.origin);
+  convert_all(wire.results, sample.results, arena, [](const Acknowledgement& result) { return convert(result); });
+  return wire;
+}
+
+lamprey_wire_Request to_wire(const Request& sample, Arena&) {
+  lamprey_wire_Request wire{};
+  wire.worker = sample.origin.worker;
+  wire.origin = convert(sample.origin);
+  wire.client = sample.client;
+  wire.correlation = sample.correlation;
+  lend(wire.payload, sample.payload);
+  return wire;
+}
+
+lamprey_wire_Reply to_wire(const Reply& sample, Arena&) {
+  lamprey_wire_Reply wire{};
+  wire.worker = sample.origin.worker;
+  wire.origin = convert(sample.origin);
+  wire.client = sample.client;
+  wire.correlation = sample.correlation;
+  lend(wire.payload, sample.payload);
+  return wire;
+}
+
+lamprey_wire_SweepProgress to_wire(const SweepProgress& sample, Arena&) {
+  lamprey_wire_SweepProgress wire{};
+  wire.sweep_high = sample.sweep.high;
+  wire.sweep_low = sample.sweep.low;
+  wire.worker = sample.origin.worker;
+  wire.origin = convert(sample.origin);
+  wire.name = lend(sample.name);
+  wire.state = lend(sample.state);
+  wire.jobs = sample.jobs;
+  wire.pending = sample.pending;
+  wire.leased = sample.leased;
+  wire.done = sample.done;
+  wire.failed = sample.failed;
+  wire.quarantined = sample.quarantined;
+  wire.cancelled = sample.cancelled;
+  wire.divergences = sample.divergences;
+  wire.jobs_per_second = sample.jobs_per_second;
+  wire.seconds_left = sample.seconds_left;
+  wire.workers = sample.workers;
+  return wire;
+}
+
+}  // namespace lamprey::messaging::cyclonedds

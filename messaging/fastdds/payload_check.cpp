@@ -1,0 +1,153 @@
+#include "messaging/fastdds/payload_check.hpp"
+
+#include <cstddef>
+
+namespace lamprey::messaging::fastdds {
+namespace {
+
+/// Walks over plain CDR: each primitive is aligned to its size, counted from the end of the encapsulation. Once it has
+/// run past the end it stays failed and does nothing.
+class Walker {
+ public:
+  explicit Walker(std::span<const std::uint8_t> payload) {
+    if (payload.size() < 4) return;
+    little_endian_ = (payload[1] & 1u) != 0;
+    body_ = payload.subspan(4);
+    good_ = true;
+  }
+
+  bool good() const { return good_; }
+
+  Walker& u32(std::size_t count = 1) { return primitives(4, count); }
+  Walker& u64(std::size_t count = 1) { return primitives(8, count); }
+  Walker& real(std::size_t count = 1) { return primitives(8, count); }
+  Walker& octets(std::size_t count) { return primitives(1, count); }
+  Walker& text() { return octets(length()); }
+
+  Walker& u32s() { return primitives_if_any(4); }
+  Walker& reals() { return primitives_if_any(8); }
+  Walker& octet_sequence() { return octets(length()); }
+
+  /// `element(walker)` for each element.
+  template <class Element>
+  Walker& sequence(Element element) {
+    const std::size_t count = length();
+    for (std::size_t i = 0; i < count && good_; ++i) element(*this);
+    return *this;
+  }
+
+ private:
+  Walker& primitives(std::size_t size, std::size_t count) {
+    if (!good_) return *this;
+    const std::size_t start = (position_ + size - 1) / size * size;
+    good_ = start <= body_.size() && count <= (body_.size() - start) / size;
+    if (good_) position_ = start + count * size;
+    return *this;
+  }
+
+  Walker& primitives_if_any(std::size_t size) {
+    const std::size_t count = length();
+    return count == 0 ? *this : primitives(size, count);
+  }
+
+  /// Every element takes at least one byte, so a length beyond what is left is impossible whatever it counts.
+  std::size_t length() {
+    u32();
+    if (!good_) return 0;
+    std::size_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::size_t place = little_endian_ ? i : 3 - i;
+      value |= std::size_t{body_[position_ - 4 + i]} << (8 * place);
+    }
+    good_ = value <= body_.size() - position_;
+    return good_ ? value : 0;
+  }
+
+  std::span<const std::uint8_t> body_;
+  std::size_t position_ = 0;
+  bool little_endian_ = true;
+  bool good_ = false;
+};
+
+// The types of idl/lamprey.idl, field by field.
+
+Walker& origin(Walker& walker) {
+  return walker.u64(3).u32();
+}
+Walker& ranges(Walker& walker) {
+  return walker.sequence([](Walker& range) { range.u64(2); });
+}
+void score(Walker& walker) {
+  walker.real(4);
+}
+
+void outcome(Walker& walker) {
+  for (int i = 0; i < 5; ++i) score(walker);
+  walker.u32(3).real();
+  walker.u32s().reals().reals().reals().reals();
+}
+
+void job_result(Walker& walker) {
+  walker.u64().u32().u64().u32(2).octets(32).octets(32);
+  outcome(walker);
+  walker.real().text();
+}
+
+bool correlated_payload(std::span<const std::uint8_t> payload) {
+  Walker walker(payload);
+  return origin(walker.u64()).u64(2).octet_sequence().good();
+}
+
+}  // namespace
+
+template <>
+bool lengths_are_possible<WorkerStatus>(std::span<const std::uint8_t> payload) {
+  Walker walker(payload);
+  origin(walker.u64()).u64().u32(3).u64(3);
+  walker.sequence([](Walker& lease) { ranges(lease.u64(6)); });
+  walker.sequence([](Walker& running) { running.u64(3); });
+  return walker.text().u32().text().text().good();
+}
+
+template <>
+bool lengths_are_possible<SweepSpecification>(std::span<const std::uint8_t> payload) {
+  Walker walker(payload);
+  return origin(walker.u64(3)).text().octets(1).octet_sequence().good();
+}
+
+template <>
+bool lengths_are_possible<Lease>(std::span<const std::uint8_t> payload) {
+  Walker walker(payload);
+  origin(walker.u64()).u32().u64(4);
+  return ranges(walker).u32().text().good();
+}
+
+template <>
+bool lengths_are_possible<ResultBatch>(std::span<const std::uint8_t> payload) {
+  Walker walker(payload);
+  return origin(walker.u64()).u64(3).sequence(job_result).good();
+}
+
+template <>
+bool lengths_are_possible<ResultAcknowledgement>(std::span<const std::uint8_t> payload) {
+  Walker walker(payload);
+  return origin(walker.u64()).sequence([](Walker& result) { result.u64(3).octets(32).u32().text(); }).good();
+}
+
+template <>
+bool lengths_are_possible<Request>(std::span<const std::uint8_t> payload) {
+  return correlated_payload(payload);
+}
+
+template <>
+bool lengths_are_possible<Reply>(std::span<const std::uint8_t> payload) {
+  return correlated_payload(payload);
+}
+
+template <>
+bool lengths_are_possible<SweepProgress>(std::span<const std::uint8_t> payload) {
+  Walker walker(payload);
+  return origin(walker.u64(3)).text().text().u64(8).real(2).u32().good();
+}
+
+}  // namespace lamprey::messaging::fastdds

@@ -1,0 +1,108 @@
+#include "messaging/names.hpp"
+#include "messaging/port.hpp"
+#include "messaging/vendor_library.hpp"
+
+#include <algorithm>
+#include <dlfcn.h>
+#include <filesystem>
+#include <netdb.h>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+namespace lamprey::messaging {
+namespace {
+
+/// Where vendor libraries may be: next to the program, or in the lib folder beside its own.
+std::vector<std::filesystem::path> library_folders() {
+  std::error_code error;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (error) throw JoinError("cannot find the program's own folder: " + error.message());
+  const auto folder = program.parent_path();
+  return {folder, folder.parent_path() / "lib"};
+}
+
+std::vector<std::string> vendors_in(const std::vector<std::filesystem::path>& folders) {
+  const std::string_view prefix = vendor_library_prefix;
+  const std::string_view suffix = ".so";
+  std::vector<std::string> vendors;
+  for (const auto& folder : folders) {
+    std::error_code error;
+    for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+      const std::string name = entry->path().filename().string();
+      if (name.size() <= prefix.size() + suffix.size() || !name.starts_with(prefix) || !name.ends_with(suffix))
+        continue;
+      vendors.push_back(name.substr(prefix.size(), name.size() - prefix.size() - suffix.size()));
+    }
+  }
+  std::sort(vendors.begin(), vendors.end());
+  vendors.erase(std::unique(vendors.begin(), vendors.end()), vendors.end());
+  return vendors;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+[[noreturn]] void fail(const JoinOptions& options, const std::string& reason) {
+  const auto folders = library_folders();
+  const auto vendors = vendors_in(folders);
+  throw JoinError(
+      "cannot join DDS domain " + std::to_string(options.domain) + " with '" + options.vendor + "': " + reason +
+      " (vendors that exist: " +
+      (vendors.empty() ? "none in " + folders.front().string() + " or " + folders.back().string() : joined(vendors)) +
+      ")");
+}
+
+/// Only names from the folder listing are loaded, so a name cannot lead out of the folders.
+std::filesystem::path find_library(const JoinOptions& options) {
+  const auto folders = library_folders();
+  const auto vendors = vendors_in(folders);
+  if (std::find(vendors.begin(), vendors.end(), options.vendor) == vendors.end()) fail(options, "no such vendor");
+  for (const auto& folder : folders) {
+    const auto path = folder / (vendor_library_prefix + options.vendor + ".so");
+    if (std::filesystem::exists(path)) return path;
+  }
+  fail(options, "its library has vanished");
+}
+
+/// Why a peer can't be looked for, or nothing. Checked here because Cyclone only warns.
+std::string unusable(const std::string& peer) {
+  if (!is_valid_peer(peer)) return "is not a host name or address";
+  addrinfo* addresses = nullptr;
+  const int error = getaddrinfo(peer.c_str(), nullptr, nullptr, &addresses);
+  if (error != 0) return std::string("cannot be resolved: ") + gai_strerror(error);
+  freeaddrinfo(addresses);
+  return {};
+}
+
+}  // namespace
+
+std::vector<std::string> available_vendors() {
+  return vendors_in(library_folders());
+}
+
+std::unique_ptr<Participant> join(const JoinOptions& options) {
+  if (!is_valid_isolation(options.isolation)) {
+    fail(options, "isolation '" + options.isolation + "' is not 1 to 64 letters, digits, '_', '.' or '-'");
+  }
+  for (const auto& peer : options.peers) {
+    if (const auto reason = unusable(peer); !reason.empty()) fail(options, "peer '" + peer + "' " + reason);
+  }
+  const auto path = find_library(options);
+  void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+  if (library == nullptr) fail(options, dlerror());
+  // POSIX says that dlsym's object pointer may be converted so.
+  const auto function = reinterpret_cast<JoinFunction>(dlsym(library, join_function_name));
+  if (function == nullptr) fail(options, path.string() + " does not export " + join_function_name);
+  std::string error;
+  std::unique_ptr<Participant> participant(function(options, error));
+  if (participant == nullptr) fail(options, error);
+  return participant;
+}
+
+}  // namespace lamprey::messaging

@@ -1,0 +1,20 @@
+#include "messaging/port.hpp"
+
+namespace lamprey::messaging {
+
+void Signal::notify() {
+  {
+    const std::lock_guard lock(mutex_);
+    notified_ = true;
+  }
+  condition_.notify_one();
+}
+
+bool Signal::wait_for(std::chrono::milliseconds timeout) {
+  std::unique_lock lock(mutex_);
+  const bool notified = condition_.wait_for(lock, timeout, [this] { return notified_; });
+  notified_ = false;
+  return notified;
+}
+
+}  // namespace lamprey::messaging

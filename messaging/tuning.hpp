@@ -1,0 +1,35 @@
+#pragma once
+
+#include "messaging/keys.hpp"
+#include "messaging/qos.hpp"
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+
+/// Numbers that both vendors are set to. What was measured to choose them: docs/decisions/0001-messaging.md.
+namespace lamprey::messaging {
+
+/// Of a reliable writer that waits for its readers (port.hpp promises it).
+inline constexpr std::chrono::milliseconds maximum_blocking{100};
+
+/// After this long without a sign of life DDS forgets a participant, and its readers no longer hold writers up. Long,
+/// because forgetting a participant over a cut link loses samples; who is alive is decided by our own heartbeats.
+inline constexpr std::chrono::seconds participant_lease{15};
+
+/// Programs of one domain on one host that find each other without multicast: participant indices 0 … 119. With one
+/// more, the ports (7400 + 250 × domain + 10 + 2 × index) would run into those of the next domain.
+inline constexpr std::uint32_t participants_per_host = 120;
+
+/// Highest domain whose ports are below 65536 for all of these.
+inline constexpr std::uint32_t highest_domain = 230;
+
+inline constexpr std::uint32_t socket_receive_buffer_bytes = 4 * 1024 * 1024;
+
+/// Keys that a reader or writer of a keyed topic may know.
+inline constexpr std::int32_t maximum_keys = 100'000;
+
+/// Untaken samples that a reader of an unkeyed topic holds at most.
+inline constexpr std::int32_t maximum_untaken = 4096;
+
+}  // namespace lamprey::messaging

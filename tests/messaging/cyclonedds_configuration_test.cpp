@@ -1,0 +1,47 @@
+#include "messaging/cyclonedds/configuration.hpp"
+
+#include <cstdlib>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <stdexcept>
+
+namespace lamprey::messaging::cyclonedds {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+TEST(CycloneConfiguration, UsersOwnComesLastAndSoDecides) {
+  setenv("CYCLONEDDS_URI", "file:///etc/cyclone.xml", 1);
+  EXPECT_THAT(configuration({}, {}),
+              AllOf(HasSubstr("<CycloneDDS>"), EndsWith("</CycloneDDS>,file:///etc/cyclone.xml")));
+  unsetenv("CYCLONEDDS_URI");
+  EXPECT_THAT(configuration({}, {}), EndsWith("</CycloneDDS>"));
+}
+
+TEST(CycloneConfiguration, PeersReplaceMulticast) {
+  JoinOptions options;
+  EXPECT_THAT(configuration(options, {}), Not(HasSubstr("AllowMulticast")));
+  options.peers = {"a.example", "192.0.2.1"};
+  EXPECT_THAT(configuration(options, {}),
+              AllOf(HasSubstr("<AllowMulticast>false"), HasSubstr("\"a.example\""), HasSubstr("\"192.0.2.1\"")));
+}
+
+TEST(CycloneConfiguration, LoopbackOnlyNamesNoOtherInterface) {
+  JoinOptions options;
+  options.loopback_only = true;
+  EXPECT_THAT(configuration(options, {}),
+              AllOf(HasSubstr("<AllowMulticast>false"), HasSubstr("<NetworkInterface address=\"127.0.0.1\""),
+                    HasSubstr("<Peer address=\"127.0.0.1\"/>")));
+}
+
+TEST(CycloneConfiguration, PeerThatIsNoHostIsRefused) {
+  JoinOptions options;
+  options.peers = {"\"/><Tracing>"};
+  EXPECT_THROW(configuration(options, {}), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace lamprey::messaging::cyclonedds

@@ -1,0 +1,235 @@
+#pragma once
+
+#include "messaging/samples.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+/// Samples for round trips: `example` fills every field with a value of its own, `extreme` with the largest.
+namespace lamprey::messaging::testing {
+
+/// Different values, one after the other.
+class Values {
+ public:
+  explicit Values(std::uint64_t seed) : next_(seed * 1000 + 1) {}
+
+  std::uint64_t u64() { return (std::uint64_t{0xa5a5} << 48) + next_++; }
+  std::uint32_t u32() { return static_cast<std::uint32_t>(0x80000000u + next_++); }
+  std::uint8_t u8() { return static_cast<std::uint8_t>(next_++); }
+  double real() { return -1.0 / 3.0 * static_cast<double>(next_++); }
+  std::string text() { return "größe " + std::to_string(next_++); }
+  Id128 id() { return {u64(), u64()}; }
+  std::vector<std::uint8_t> octets(std::size_t size) {
+    std::vector<std::uint8_t> all(size);
+    for (auto& octet : all) octet = u8();
+    return all;
+  }
+  Digest digest() {
+    Digest all{};
+    for (auto& octet : all) octet = u8();
+    return all;
+  }
+  experiment::Score score() { return {.stability = real(), .distance = real(), .fuel = real(), .total = real()}; }
+  Origin origin() { return {.database = id(), .epoch = u64(), .worker = u64(), .science_version = u32()}; }
+  std::vector<JobRange> ranges(std::size_t size) {
+    std::vector<JobRange> all(size);
+    for (auto& range : all) range = {.first = u64(), .count = u64()};
+    return all;
+  }
+  std::vector<experiment::AcceptedChange> trace(std::size_t rows) {
+    std::vector<experiment::AcceptedChange> all(rows);
+    for (auto& change : all) change = {.cycle = u32(), .score = score()};
+    return all;
+  }
+
+ private:
+  std::uint64_t next_;
+};
+
+inline void fill(WorkerStatus& sample, Values& values) {
+  sample.origin = values.origin();
+  sample.heartbeat = values.u64();
+  sample.state = WorkerState::draining;
+  sample.threads = values.u32();
+  sample.window = values.u32();
+  sample.last_lease_sequence = values.u64();
+  sample.jobs_done = values.u64();
+  sample.results_held = values.u64();
+  sample.leases = {{values.id(), values.u64(), values.u64(), values.id(), values.ranges(3)},
+                   {values.id(), values.u64(), values.u64(), values.id(), {}}};
+  sample.running = {{values.id(), values.u64()}, {values.id(), values.u64()}};
+  sample.host = values.text();
+  sample.process = values.u32();
+  sample.build = values.text();
+  sample.dds = values.text();
+}
+
+inline void fill(SweepSpecification& sample, Values& values) {
+  sample.origin = values.origin();
+  sample.sweep = values.id();
+  sample.name = values.text();
+  sample.open = false;
+  sample.specification = values.octets(1000);
+}
+
+inline void fill(Lease& sample, Values& values) {
+  sample.origin = values.origin();
+  sample.kind = LeaseKind::revoke;
+  sample.sequence = values.u64();
+  sample.lease = values.u64();
+  sample.sweep = values.id();
+  sample.ranges = values.ranges(5);
+  sample.duration_milliseconds = values.u32();
+  sample.reason = values.text();
+}
+
+inline JobResult example_result(Values& values, std::size_t rows) {
+  JobResult result;
+  result.job = values.u64();
+  result.kind = ResultKind::failed;
+  result.lease = values.u64();
+  result.fragment = values.u32();
+  result.fragments = values.u32();
+  result.identity = values.digest();
+  result.digest = values.digest();
+  result.outcome.expected = values.score();
+  result.outcome.initial = values.score();
+  result.outcome.evolved = values.score();
+  result.outcome.highest = values.score();
+  result.outcome.final = values.score();
+  result.outcome.cycles = values.u32();
+  result.outcome.accepted = values.u32();
+  result.outcome.successes = values.u32();
+  result.outcome.success_rate = values.real();
+  result.outcome.trace = values.trace(rows);
+  result.seconds = values.real();
+  result.reason = values.text();
+  return result;
+}
+
+inline void fill(ResultBatch& sample, Values& values) {
+  sample.origin = values.origin();
+  sample.sequence = values.u64();
+  sample.sweep = values.id();
+  sample.results = {example_result(values, 0), example_result(values, 1), example_result(values, 300)};
+  sample.results[1].reason.clear();
+}
+
+inline void fill(ResultAcknowledgement& sample, Values& values) {
+  sample.origin = values.origin();
+  for (const auto verdict : {Verdict::committed, Verdict::duplicate, Verdict::divergent, Verdict::refused}) {
+    sample.results.push_back({values.id(), values.u64(), values.digest(), verdict, values.text()});
+  }
+}
+
+inline void fill(Request& sample, Values& values) {
+  sample.origin = values.origin();
+  sample.client = values.u64();
+  sample.correlation = values.u64();
+  sample.payload = values.octets(257);
+}
+
+inline void fill(Reply& sample, Values& values) {
+  sample.origin = values.origin();
+  sample.client = values.u64();
+  sample.correlation = values.u64();
+  sample.payload = values.octets(513);
+}
+
+inline void fill(SweepProgress& sample, Values& values) {
+  sample.origin = values.origin();
+  sample.sweep = values.id();
+  sample.name = values.text();
+  sample.state = values.text();
+  sample.jobs = values.u64();
+  sample.pending = values.u64();
+  sample.leased = values.u64();
+  sample.done = values.u64();
+  sample.failed = values.u64();
+  sample.quarantined = values.u64();
+  sample.cancelled = values.u64();
+  sample.divergences = values.u64();
+  sample.jobs_per_second = values.real();
+  sample.seconds_left = values.real();
+  sample.workers = values.u32();
+}
+
+template <class Sample>
+Sample example(std::uint64_t seed = 1) {
+  Sample sample;
+  Values values(seed);
+  fill(sample, values);
+  return sample;
+}
+
+inline constexpr auto most = std::numeric_limits<std::uint64_t>::max();
+inline constexpr auto most32 = std::numeric_limits<std::uint32_t>::max();
+inline const Origin extreme_origin{.database = {most, most}, .epoch = most, .worker = most, .science_version = most32};
+inline const std::string long_text(20'000, 'x');
+
+inline void maximise(WorkerStatus& sample) {
+  sample.heartbeat = sample.last_lease_sequence = sample.jobs_done = sample.results_held = most;
+  sample.state = WorkerState::leaving;
+  sample.threads = sample.window = sample.process = most32;
+  sample.leases.resize(200, {{most, most}, most, most, {most, most}, std::vector<JobRange>(20, {most, most})});
+  sample.running.resize(1000, {{most, most}, most});
+  sample.host = sample.build = sample.dds = long_text;
+}
+inline void maximise(SweepSpecification& sample) {
+  sample.sweep = {most, most};
+  sample.name = long_text;
+  sample.specification.assign(1'000'000, 0xff);
+}
+inline void maximise(Lease& sample) {
+  sample.kind = LeaseKind::refuse;
+  sample.sequence = sample.lease = most;
+  sample.sweep = {most, most};
+  sample.ranges.assign(3000, {most, most});
+  sample.duration_milliseconds = most32;
+  sample.reason = long_text;
+}
+inline void maximise(ResultBatch& sample) {
+  Values values(9);
+  sample.sequence = most;
+  sample.sweep = {most, most};
+  for (int i = 0; i < 100; ++i) sample.results.push_back(example_result(values, 6));  // together about 60 KB
+  auto& outcome = sample.results[0].outcome;
+  constexpr double largest = std::numeric_limits<double>::max();
+  outcome.expected = {largest, -largest, std::numeric_limits<double>::denorm_min(), -0.0};
+  outcome.success_rate = std::numeric_limits<double>::infinity();
+}
+inline void maximise(ResultAcknowledgement& sample) {
+  Digest digest;
+  digest.fill(0xff);
+  sample.results.assign(1000, {{most, most}, most, digest, Verdict::refused, "reason"});
+  sample.results.back().reason = long_text;
+}
+inline void maximise(Request& sample) {
+  sample.client = sample.correlation = most;
+  sample.payload.assign(300'000, 0xff);
+}
+inline void maximise(Reply& sample) {
+  sample.client = sample.correlation = most;
+  sample.payload.assign(300'000, 0xff);
+}
+inline void maximise(SweepProgress& sample) {
+  sample.sweep = {most, most};
+  sample.name = sample.state = long_text;
+  sample.jobs = sample.pending = sample.leased = sample.done = most;
+  sample.failed = sample.quarantined = sample.cancelled = sample.divergences = most;
+  sample.jobs_per_second = std::numeric_limits<double>::max();
+  sample.seconds_left = std::numeric_limits<double>::lowest();
+  sample.workers = most32;
+}
+
+template <class Sample>
+Sample extreme() {
+  Sample sample;
+  sample.origin = extreme_origin;
+  maximise(sample);
+  return sample;
+}
+
+}  // namespace lamprey::messaging::testing

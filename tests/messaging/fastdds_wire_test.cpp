@@ -1,0 +1,131 @@
+#include "messaging/fastdds/type_support.hpp"
+#include "messaging/fastdds/wire.hpp"
+#include "tests/messaging/example_samples.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <gtest/gtest.h>
+#include <random>
+#include <span>
+#include <vector>
+
+namespace lamprey::messaging::fastdds {
+namespace {
+
+using Payload = eprosima::fastrtps::rtps::SerializedPayload_t;
+
+template <class Sample>
+std::vector<std::uint8_t> serialised(const Sample& sample) {
+  GuardedType<Sample> type;
+  auto data = to_wire(sample);
+  Payload payload(type.getSerializedSizeProvider(&data)());
+  EXPECT_TRUE(type.serialize(&data, &payload));
+  return {payload.data, payload.data + payload.length};
+}
+
+template <class Sample>
+bool deserialise(const std::vector<std::uint8_t>& octets, typename Wire<Sample>::Type& data) {
+  GuardedType<Sample> type;
+  Payload payload(static_cast<std::uint32_t>(octets.size()));
+  std::copy(octets.begin(), octets.end(), payload.data);
+  payload.length = static_cast<std::uint32_t>(octets.size());
+  return type.deserialize(&payload, &data);
+}
+
+template <class Sample>
+class FastWire : public ::testing::Test {};
+using AllSamples = ::testing::Types<WorkerStatus, SweepSpecification, Lease, ResultBatch, ResultAcknowledgement,
+                                    Request, Reply, SweepProgress>;
+TYPED_TEST_SUITE(FastWire, AllSamples);
+
+TYPED_TEST(FastWire, ThereAndBackIsTheSame) {
+  for (const auto& sample : {TypeParam{}, testing::example<TypeParam>(), testing::extreme<TypeParam>()}) {
+    typename Wire<TypeParam>::Type data;
+    ASSERT_TRUE(deserialise<TypeParam>(serialised(sample), data));
+    TypeParam back;
+    EXPECT_TRUE(from_wire(data, back));
+    EXPECT_EQ(back, sample);
+  }
+}
+
+TYPED_TEST(FastWire, TruncatedPayloadsAreRefused) {
+  const auto whole = serialised(testing::example<TypeParam>());
+  for (std::size_t size = 0; size < whole.size(); size += size < 512 ? 1 : 97) {
+    typename Wire<TypeParam>::Type data;
+    EXPECT_FALSE(deserialise<TypeParam>({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)}, data))
+        << size;
+  }
+}
+
+TYPED_TEST(FastWire, DamagedLengthsAreSurvived) {
+  const auto whole = serialised(testing::example<TypeParam>());
+  for (std::size_t position = 4; position + 4 <= whole.size(); position += 4) {
+    auto hostile = whole;
+    std::memset(hostile.data() + position, 0xfe, 4);
+    typename Wire<TypeParam>::Type data;
+    if (!deserialise<TypeParam>(hostile, data)) continue;
+    TypeParam sample;
+    static_cast<void>(from_wire(data, sample));
+  }
+}
+
+// Generated code resizes a vector to whatever its length says.
+TEST(FastWireHostile, LengthBeyondThePayloadIsRefusedBeforeMemoryIsSetAside) {
+  Request request = testing::example<Request>();
+  auto octets = serialised(request);
+  const std::size_t length_position = octets.size() - request.payload.size() - 4;
+  EXPECT_TRUE(lengths_are_possible<Request>(octets));
+  octets[length_position] = static_cast<std::uint8_t>(octets[length_position] + 1);
+  EXPECT_FALSE(lengths_are_possible<Request>(octets));
+  std::memset(octets.data() + length_position, 0xff, 4);
+  EXPECT_FALSE(lengths_are_possible<Request>(octets));
+}
+
+TEST(FastWireHostile, PayloadsOfBigEndianSendersAreUnderstood) {
+  // Encapsulation CDR_BE, worker, origin, client, correlation, a payload of two octets.
+  std::vector<std::uint8_t> octets(4 + 8 + 32 + 16, 0);
+  octets.insert(octets.end(), {0, 0, 0, 2, 7, 8});
+  EXPECT_TRUE(lengths_are_possible<Request>(octets));
+  wire::Request data;
+  ASSERT_TRUE(deserialise<Request>(octets, data));
+  EXPECT_EQ(data.payload(), (std::vector<std::uint8_t>{7, 8}));
+  octets[octets.size() - 3] = 3;
+  EXPECT_FALSE(lengths_are_possible<Request>(octets));
+}
+
+TYPED_TEST(FastWire, RandomDamageIsSurvived) {
+  std::mt19937_64 random(7);
+  const auto whole = serialised(testing::example<TypeParam>());
+  for (int i = 0; i < 2000; ++i) {
+    auto hostile = whole;
+    for (int flips = 0; flips < 4; ++flips) hostile[random() % hostile.size()] = static_cast<std::uint8_t>(random());
+    typename Wire<TypeParam>::Type data;
+    if (!deserialise<TypeParam>(hostile, data)) continue;
+    TypeParam sample;
+    static_cast<void>(from_wire(data, sample));
+  }
+}
+
+TEST(FastWireHostile, UnknownEnumeratorsAreRefused) {
+  auto status = to_wire(WorkerStatus{});
+  status.state(static_cast<wire::WorkerState>(3));
+  WorkerStatus back;
+  EXPECT_FALSE(from_wire(status, back));
+
+  auto lease = to_wire(Lease{});
+  lease.kind(static_cast<wire::LeaseKind>(256));
+  Lease lease_back;
+  EXPECT_FALSE(from_wire(lease, lease_back));
+}
+
+TEST(FastWireHostile, TraceColumnsOfUnequalLengthAreRefused) {
+  auto batch = to_wire(testing::example<ResultBatch>());
+  batch.results()[2].outcome().trace().fuel().pop_back();
+  ResultBatch back;
+  EXPECT_FALSE(from_wire(batch, back));
+}
+
+}  // namespace
+}  // namespace lamprey::messaging::fastdds
