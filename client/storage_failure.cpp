@@ -25,6 +25,8 @@ std::string kind_name(storage::StorageError::Kind kind) {
       return "corrupt";
     case Kind::full:
       return "full";
+    case Kind::busy:
+      return "busy";
     case Kind::input_output:
       return "input_output";
   }

@@ -1,6 +1,7 @@
 #include "coordinator/coordinator.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <spdlog/spdlog.h>
 #include <utility>
 
@@ -13,6 +14,13 @@ constexpr std::uint64_t cancelled_rows_per_step = 5'000;
 
 /// Specifications repeated at a time: a site with thousands of open sweeps must not flood its network.
 constexpr int repeated_specifications = 16;
+
+/// Between two steps; longer ones mean that this program did not run.
+constexpr auto longest_pause = std::chrono::seconds{1};
+
+/// A write-ahead log beyond this is reported, if a reader is why.
+constexpr std::uint64_t large_log_bytes = std::uint64_t{128} << 20;
+constexpr auto log_size_interval = std::chrono::seconds{10};
 
 constexpr std::size_t most_workers = 4'096;
 constexpr std::size_t most_clients = 64;
@@ -37,7 +45,10 @@ Coordinator::Coordinator(messaging::Participant& participant, storage::ResultsSt
       staged_since_(now),
       retry_storage_at_(now),
       progress_due_(now),
-      specifications_due_(now + options.specification_interval) {
+      specifications_due_(now + options.specification_interval),
+      log_size_due_(now),
+      last_step_(now),
+      database_path_(std::filesystem::absolute(store_.path()).string()) {
   event("coordinator_started", 0, "epoch " + std::to_string(store_.epoch()) + ", over " + participant.vendor());
   for (const auto& stored : store_.sweeps()) {
     if (stored.state == storage::SweepState::running || stored.state == storage::SweepState::cancelling) {
@@ -66,7 +77,12 @@ void Coordinator::open(const storage::Sweep& stored, bool publish) {
   }
   OpenSweep sweep;
   sweep.stored = stored;
-  sweep.grid = std::make_shared<const experiment::SweepGrid>(specification);
+  try {
+    sweep.grid = std::make_shared<const experiment::SweepGrid>(specification);
+  } catch (const experiment::InvalidInput& error) {
+    throw storage::StorageError(storage::StorageError::Kind::corrupt,
+                                store_.path() + ": sweep " + stored.what.name + " is no longer valid: " + error.what());
+  }
   const auto ended = store_.ended_jobs(stored.row);
   if (stored.state == storage::SweepState::cancelling) {
     sweep.to_cancel = JobRanges(0, stored.what.jobs);
@@ -93,6 +109,9 @@ void Coordinator::send(std::uint64_t worker, messaging::Lease lease) {
 }
 
 void Coordinator::step(Clock::time_point now) {
+  // A machine that was suspended has not listened: silence is no sign of death then.
+  if (now - last_step_ > longest_pause) ledger_.forgive(now - last_step_);
+  last_step_ = now;
   take_statuses(now);
   take_requests(now);
   // While the disk is full nothing more is taken: it waits in DDS and at the workers, in bounded room.
@@ -103,6 +122,7 @@ void Coordinator::step(Clock::time_point now) {
   if (!storage_failed_) grant(now);
   publish_progress(now);
   repeat_specifications(now);
+  watch_log_size(now);
 }
 
 void Coordinator::finish(Clock::time_point now) {
@@ -110,12 +130,18 @@ void Coordinator::finish(Clock::time_point now) {
   staged_since_ = now - options_.commit_interval;
   retry_storage_at_ = now;
   commit(now);
+  // The end of a sweep that this commit has brought about is an event too.
+  staged_since_ = now - options_.commit_interval;
+  commit(now);
 }
 
 void Coordinator::take_statuses(Clock::time_point now) {
-  for (const auto& status : statuses_->take()) {
+  for (auto& status : statuses_->take()) {
     const std::uint64_t worker = status.origin.worker;
     if (worker == 0) continue;
+    // They end up in logs, tables and protobuf, which takes UTF-8 only.
+    for (auto* text : {&status.host, &status.build, &status.dds}) *text = experiment::printable(*text);
+    look_for_newer_epoch(status);
     auto reaction = ledger_.heartbeat(status, store_.database_id(), now);
     const std::string who = status.host + "/" + std::to_string(status.process);
     if (reaction.left) {
@@ -129,7 +155,6 @@ void Coordinator::take_statuses(Clock::time_point now) {
       spdlog::info("worker {:016x} ({}, {} threads, {}) has joined", worker, who, status.threads, status.dds);
       event("worker_joined", worker, who);
       batch_.workers.push_back({worker, status.host, status.process, status.threads, status.build, status.dds});
-      acknowledgements_.prepare(worker);
     }
     if (reaction.adopted_jobs > 0) {
       spdlog::info("worker {:016x} holds {} jobs from earlier leases; they stay with it", worker,
@@ -144,6 +169,18 @@ void Coordinator::take_statuses(Clock::time_point now) {
       send(worker, std::move(message));
     }
   }
+}
+
+/// Two coordinators on two copies of one database, or a database put back from a backup: workers obey the higher epoch.
+void Coordinator::look_for_newer_epoch(const messaging::WorkerStatus& status) {
+  if (status.origin.database != store_.database_id() || status.origin.epoch <= store_.epoch()) return;
+  if (std::exchange(said_newer_epoch_, true)) return;
+  const std::string text = "worker " + status.host + "/" + std::to_string(status.process) + " has obeyed epoch " +
+                           std::to_string(status.origin.epoch) + " of this database, which is at epoch " +
+                           std::to_string(store_.epoch()) +
+                           "; is this file a copy or a backup? Restart the workers to have them serve it";
+  spdlog::error("{}", text);
+  event("newer_epoch_seen", status.origin.worker, text);
 }
 
 void Coordinator::expire(Clock::time_point now) {
@@ -172,7 +209,8 @@ void Coordinator::quarantine(const QuarantinedJob& job) {
                 job.attempts, job.reason);
   batch_.jobs.push_back(quarantined_row(sweep->second, job.job, job.attempts, job.worker, job.reason));
   event("job_quarantined", job.worker, job.reason, sweep->second.stored.row, job.job);
-  staged_.emplace(std::pair(job.sweep, job.job), Digest{});
+  staged_.emplace(std::pair(job.sweep, job.job),
+                  storage::ResultsStore::StoredJob{storage::JobState::quarantined, std::nullopt});
   ledger_.ended(job.sweep, job.job, 0, -1);
 }
 
@@ -208,13 +246,15 @@ void Coordinator::commit(Clock::time_point now) {
   try {
     store_.commit(batch_);
   } catch (const storage::StorageError& error) {
-    if (error.kind() != storage::StorageError::Kind::full) throw;
-    // Nothing was stored and nothing acknowledged; the batch waits for room.
-    if (!std::exchange(storage_failed_, true)) spdlog::error("{}; waiting for room", error.what());
+    const bool passes =
+        error.kind() == storage::StorageError::Kind::full || error.kind() == storage::StorageError::Kind::busy;
+    if (!passes) throw;
+    // Nothing was stored and nothing acknowledged; the batch waits.
+    if (!std::exchange(storage_failed_, true)) spdlog::error("{}; waiting", error.what());
     retry_storage_at_ = now + options_.storage_retry;
     return;
   }
-  if (std::exchange(storage_failed_, false)) spdlog::info("{}: there is room again; going on", store_.path());
+  if (std::exchange(storage_failed_, false)) spdlog::info("{}: going on", store_.path());
   after_commit(now);
 }
 
@@ -326,6 +366,18 @@ messaging::SweepProgress Coordinator::progress(const OpenSweep& sweep) const {
   if (sample.jobs_per_second > 0) sample.seconds_left = static_cast<double>(open_jobs) / sample.jobs_per_second;
   sample.workers = static_cast<std::uint32_t>(ledger_.live_workers());
   return sample;
+}
+
+void Coordinator::watch_log_size(Clock::time_point now) {
+  if (now < log_size_due_) return;
+  log_size_due_ = now + log_size_interval;
+  const auto log = store_.log_size();
+  const bool large = log.held_by_reader && log.bytes > large_log_bytes;
+  if (large && !log_is_large_) {
+    spdlog::warn("{}: a reader's open transaction keeps the write-ahead log from being reset; it has grown to {} MB",
+                 store_.path(), log.bytes >> 20);
+  }
+  log_is_large_ = large;
 }
 
 void Coordinator::publish_progress(Clock::time_point now) {

@@ -60,6 +60,8 @@ class Coordinator {
   void publish_progress(Clock::time_point now);
   void publish_specification(const OpenSweep& sweep, bool open);
   void repeat_specifications(Clock::time_point now);
+  void watch_log_size(Clock::time_point now);
+  void look_for_newer_epoch(const messaging::WorkerStatus& status);
   void cancel_some();
   void commit(Clock::time_point now);
   void after_commit(Clock::time_point now);
@@ -112,13 +114,18 @@ class Coordinator {
   messaging::Assembler assembler_;
   storage::Batch batch_;
   std::vector<StagedAnswer> answers_;
-  std::map<std::pair<Id128, std::uint64_t>, Digest> staged_;
+  std::map<std::pair<Id128, std::uint64_t>, storage::ResultsStore::StoredJob> staged_;  ///< by sweep and job
   std::size_t staged_bytes_ = 0;
   Clock::time_point staged_since_;
   Clock::time_point retry_storage_at_;
   bool storage_failed_ = false;
   Clock::time_point progress_due_;
   Clock::time_point specifications_due_;
+  Clock::time_point log_size_due_;
+  Clock::time_point last_step_;
+  std::string database_path_;  ///< absolute
+  bool log_is_large_ = false;
+  bool said_newer_epoch_ = false;
   Id128 last_repeated_;
   std::unique_ptr<storage::ResultsReader> reader_;
 };

@@ -6,6 +6,7 @@
 #include <list>
 #include <memory>
 #include <spdlog/spdlog.h>
+#include <stdexcept>
 #include <unordered_map>
 #include <utility>
 
@@ -21,13 +22,16 @@ class DirectedWriters {
   /// Whether it was written. A sample that was not is logged and forgotten: every directed message of ours is repeated
   /// by the protocol above when its effect does not show.
   bool write(std::uint64_t receiver, const Sample& sample) {
-    const auto result = writer(receiver).write(sample);
-    if (!result) spdlog::debug("a message to {:016x} was not written: {}", receiver, result.error);
-    return static_cast<bool>(result);
+    try {
+      const auto result = writer(receiver).write(sample);
+      if (!result) spdlog::debug("a message to {:016x} was not written: {}", receiver, result.error);
+      return static_cast<bool>(result);
+    } catch (const std::runtime_error& error) {
+      // DDS is out of something. Whoever asked for the writer must not end this program with it.
+      spdlog::error("no writer for {:016x}: {}", receiver, error.what());
+      return false;
+    }
   }
-
-  /// Makes the writer now, so that discovery is done when it is first needed.
-  void prepare(std::uint64_t receiver) { writer(receiver); }
 
   void close(std::uint64_t receiver) {
     const auto found = writers_.find(receiver);

@@ -16,6 +16,12 @@ constexpr int maximum_repeats = 3;
 /// A heartbeat may have been under way when the lease was sent: one that comes sooner after it says nothing.
 constexpr auto sending_time = std::chrono::milliseconds{200};
 
+/// A worker that does not take a sweep's lease however often it is sent is offered no other one of it for so long.
+constexpr auto untaken_pause = std::chrono::seconds{30};
+
+/// A lost lease is cut into so many parts; the culprit among a thousand jobs is alone after four deaths.
+constexpr std::uint64_t parts_of_a_lost_lease = 8;
+
 /// Weight of the newest job in the running mean of seconds per job.
 constexpr double newest_weight = 0.05;
 
@@ -69,8 +75,7 @@ Ledger::Closed Ledger::close_sweep(const Id128& id) {
     auto message = revocation(it->first, id, "the sweep has ended");
     message.origin.worker = it->second.worker;
     closed.revocations.push_back(std::move(message));
-    workers_.at(it->second.worker).leases.erase(it->first);
-    it = leases_.erase(it);
+    forget(it++);
   }
   sweeps_.erase(found);
   std::erase(order_, id);
@@ -156,11 +161,16 @@ void Ledger::adopt(Worker& worker, const messaging::HeldLease& held, Heartbeat& 
   }
   sweep->second.leased.add(free);
   reaction.adopted_jobs += free.size();
+  const std::uint64_t id = worker.status.origin.worker;
+  if (free.size() == 1) {
+    // Thought dead with this job, and here it is, alive: that attempt was the network's.
+    const auto attempts = sweep->second.attempts.find(free.ranges().front().first);
+    if (attempts != sweep->second.attempts.end() && attempts->second.workers.erase(id) > 0) --attempts->second.count;
+  }
   Lease lease;
-  lease.worker = worker.status.origin.worker;
+  lease.worker = id;
   lease.sweep = held.sweep;
   lease.remaining = free;
-  lease.alone = free.size() == 1;
   lease.renewed = now;
   lease.sent = now;
   leases_.emplace(held.lease, std::move(lease));
@@ -199,6 +209,7 @@ void Ledger::repeat_unlisted(Worker& worker, const std::set<std::uint64_t>& list
     if (++lease.unlisted_heartbeats < heartbeats_before_repeat) continue;
     lease.unlisted_heartbeats = 0;
     if (++lease.repeats > maximum_repeats) {
+      worker.not_before[lease.sweep] = now + untaken_pause;
       release(id);
     } else {
       lease.sent = now;
@@ -237,44 +248,55 @@ void Ledger::release(std::uint64_t id) {
   Sweep& sweep = sweeps_.at(found->second.sweep);
   sweep.leased.remove(found->second.remaining);
   sweep.pending.add(found->second.remaining);
-  workers_.at(found->second.worker).leases.erase(id);
-  leases_.erase(found);
+  forget(found);
 }
 
-/// The worker died with the lease, and one of its jobs may be why. The lease is split in two, again and again if need
-/// be, until the culprit is leased alone; only then an attempt counts, and only if the job was reported running.
+void Ledger::forget(std::map<std::uint64_t, Lease>::iterator lease) {
+  Worker& worker = workers_.at(lease->second.worker);
+  worker.leases.erase(lease->first);
+  if (lease->second.exclusive) worker.exclusive = false;
+  leases_.erase(lease);
+}
+
+/// The worker died with the lease, and one of its jobs may be why. The lease is cut into parts, again and again if need
+/// be; a part of one job is then given to a worker that holds nothing else, and only such a loss counts against the
+/// job.
 void Ledger::lose(std::uint64_t id, const std::string& reason, Expired& expired) {
-  const Lease lease = leases_.at(id);
-  const Worker& worker = workers_.at(lease.worker);
+  const auto found = leases_.find(id);
+  const Lease lease = found->second;
   expired.leases.push_back({id, lease.worker, lease.sweep, lease.remaining.size(), reason});
   Sweep& sweep = sweeps_.at(lease.sweep);
   JobRanges rest = lease.remaining;
-  if (rest.size() == 1) {
+  if (lease.exclusive && rest.size() == 1 && was_running(lease)) {
     const std::uint64_t job = rest.ranges().front().first;
-    const bool was_running = std::ranges::any_of(
-        worker.status.running, [&](const auto& running) { return running.sweep == lease.sweep && running.job == job; });
-    if (lease.alone && was_running) {
-      if (auto quarantined = count_attempt(sweep, lease.sweep, job, lease.worker, reason)) {
-        expired.quarantined.push_back(std::move(*quarantined));
-        rest = {};
-      }
+    if (auto quarantined = count_attempt(sweep, lease.sweep, job, lease.worker, reason)) {
+      expired.quarantined.push_back(std::move(*quarantined));
+      rest = {};
     }
-    if (!rest.empty()) sweep.suspects.push_back(rest);
-  } else if (!rest.empty()) {
-    JobRanges half = rest.take_lowest(rest.size() / 2);
-    sweep.suspects.push_back(std::move(half));
-    sweep.suspects.push_back(std::move(rest));
   }
+  const std::uint64_t part = rest.size() / parts_of_a_lost_lease + 1;
+  while (!rest.empty()) sweep.suspects.push_back(rest.take_lowest(part));
   sweep.leased.remove(lease.remaining);
-  workers_.at(lease.worker).leases.erase(id);
-  leases_.erase(id);
+  forget(found);
+}
+
+bool Ledger::was_running(const Lease& lease) const {
+  return std::ranges::any_of(workers_.at(lease.worker).status.running, [&](const auto& running) {
+    return running.sweep == lease.sweep && lease.remaining.contains(running.job);
+  });
+}
+
+void Ledger::forgive(Clock::duration pause) {
+  for (auto& [id, worker] : workers_) worker.heard += pause;
+  for (auto& [id, lease] : leases_) lease.renewed += pause;
 }
 
 std::optional<QuarantinedJob> Ledger::count_attempt(Sweep& sweep, const Id128& id, std::uint64_t job,
                                                     std::uint64_t worker, const std::string& reason) {
-  const std::uint32_t attempts = ++sweep.attempts[job];
-  if (attempts < options_.maximum_attempts) return std::nullopt;
-  return QuarantinedJob{id, job, attempts, worker, reason};
+  Attempts& attempts = sweep.attempts[job];
+  if (attempts.workers.insert(worker).second) ++attempts.count;
+  if (attempts.count < options_.maximum_attempts) return std::nullopt;
+  return QuarantinedJob{id, job, attempts.count, worker, reason};
 }
 
 std::vector<Ledger::WorkerView> Ledger::workers() const {
@@ -283,12 +305,16 @@ std::vector<Ledger::WorkerView> Ledger::workers() const {
   return list;
 }
 
-std::uint32_t Ledger::slots() const {
-  std::uint32_t slots = 0;
+std::uint32_t Ledger::window(const Worker& worker) const {
+  return std::min(worker.status.window, options_.maximum_window);
+}
+
+std::uint64_t Ledger::slots() const {
+  std::uint64_t slots = 0;
   for (const auto& [id, worker] : workers_) {
-    if (!worker.refused) slots += worker.status.window;
+    if (!worker.refused) slots += window(worker);
   }
-  return std::max(slots, 1U);
+  return std::max<std::uint64_t>(slots, 1);
 }
 
 /// About lease_work of computation; towards the end less, so that all workers finish together.
@@ -297,50 +323,81 @@ std::uint64_t Ledger::lease_jobs(const Sweep& sweep) const {
   const double work = std::chrono::duration<double>(options_.lease_work).count();
   const double jobs =
       std::clamp(work / std::max(*sweep.seconds_per_job, 1e-9), 1.0, static_cast<double>(options_.maximum_lease_jobs));
-  const std::uint64_t fair_share = sweep.pending.size() / (2ULL * slots()) + 1;
+  const std::uint64_t fair_share = sweep.pending.size() / (2 * slots()) + 1;
   return std::min(static_cast<std::uint64_t>(std::llround(jobs)), fair_share);
 }
 
-JobRanges Ledger::next_jobs(Sweep& sweep) const {
-  // Parts of lost leases wait until nothing else is left: a job that kills workers must not kill the sweep.
-  if (!sweep.pending.empty()) return sweep.pending.take_lowest(lease_jobs(sweep));
-  if (sweep.suspects.empty()) return {};
-  JobRanges jobs = std::move(sweep.suspects.front());
-  sweep.suspects.pop_front();
-  return jobs;
+bool Ledger::may_take(const Worker& worker) const {
+  return !worker.refused && !worker.exclusive && worker.status.state == messaging::WorkerState::ready;
+}
+
+bool Ledger::serves(const Worker& worker, const Id128& sweep, Clock::time_point now) {
+  const auto pause = worker.not_before.find(sweep);
+  return pause == worker.not_before.end() || now >= pause->second;
 }
 
 std::vector<Ledger::Grant> Ledger::grant(Clock::time_point now) {
   std::vector<Grant> grants;
   if (now < grants_from_) return grants;
-  bool granted = true;
-  for (std::size_t round = 1; granted; ++round) {
-    granted = false;
+  // One lease to each worker in turn, until every window is full or nothing is pending.
+  bool more = true;
+  for (std::size_t round = 1; more; ++round) {
+    more = false;
     for (auto& [id, worker] : workers_) {
-      if (worker.refused || worker.status.state != messaging::WorkerState::ready) continue;
-      if (worker.leases.size() >= std::min<std::size_t>(worker.status.window, round)) {
-        granted = granted || worker.leases.size() < worker.status.window;
-        continue;
-      }
-      JobRanges jobs;
-      Id128 sweep_id;
-      for (const auto& candidate : order_) {
-        jobs = next_jobs(sweeps_.at(candidate));
-        sweep_id = candidate;
-        if (!jobs.empty()) break;
-      }
-      if (jobs.empty()) return grants;
-      Lease lease{id, sweep_id, std::move(jobs), worker.next_sequence++, false, now, now, 0, 0};
-      lease.alone = lease.remaining.size() == 1;
-      sweeps_.at(sweep_id).leased.add(lease.remaining);
-      const std::uint64_t number = next_lease_++;
-      grants.push_back({id, grant_message(number, lease)});
-      worker.leases.insert(number);
-      leases_.emplace(number, std::move(lease));
-      granted = true;
+      if (!may_take(worker) || worker.leases.size() >= window(worker)) continue;
+      more = worker.leases.size() >= round || grant_pending(id, worker, grants, now) || more;
+    }
+  }
+  // Parts of lost leases wait until nothing is pending in any sweep: a job that kills workers must not stop the others.
+  for (auto& [id, worker] : workers_) {
+    while (may_take(worker) && worker.leases.size() < window(worker) && grant_suspects(id, worker, grants, now)) {
     }
   }
   return grants;
+}
+
+bool Ledger::grant_pending(std::uint64_t id, Worker& worker, std::vector<Grant>& grants, Clock::time_point now) {
+  for (const auto& sweep_id : order_) {
+    Sweep& sweep = sweeps_.at(sweep_id);
+    if (sweep.pending.empty() || !serves(worker, sweep_id, now)) continue;
+    give(id, worker, sweep_id, sweep.pending.take_lowest(lease_jobs(sweep)), false, grants, now);
+    return true;
+  }
+  return false;
+}
+
+bool Ledger::grant_suspects(std::uint64_t id, Worker& worker, std::vector<Grant>& grants, Clock::time_point now) {
+  for (const auto& sweep_id : order_) {
+    Sweep& sweep = sweeps_.at(sweep_id);
+    if (!serves(worker, sweep_id, now)) continue;
+    const auto part = std::ranges::find_if(
+        sweep.suspects, [&](const JobRanges& jobs) { return jobs.size() > 1 || worker.leases.empty(); });
+    if (part == sweep.suspects.end()) continue;
+    JobRanges jobs = std::move(*part);
+    sweep.suspects.erase(part);
+    const bool exclusive = jobs.size() == 1;
+    give(id, worker, sweep_id, std::move(jobs), exclusive, grants, now);
+    return true;
+  }
+  return false;
+}
+
+void Ledger::give(std::uint64_t id, Worker& worker, const Id128& sweep, JobRanges jobs, bool exclusive,
+                  std::vector<Grant>& grants, Clock::time_point now) {
+  Lease lease;
+  lease.worker = id;
+  lease.sweep = sweep;
+  lease.remaining = std::move(jobs);
+  lease.sequence = worker.next_sequence++;
+  lease.exclusive = exclusive;
+  lease.renewed = now;
+  lease.sent = now;
+  sweeps_.at(sweep).leased.add(lease.remaining);
+  worker.exclusive = exclusive;
+  const std::uint64_t number = next_lease_++;
+  grants.push_back({id, grant_message(number, lease)});
+  worker.leases.insert(number);
+  leases_.emplace(number, std::move(lease));
 }
 
 messaging::Lease Ledger::grant_message(std::uint64_t id, const Lease& lease) const {
@@ -387,26 +444,33 @@ void Ledger::ended(const Id128& id, std::uint64_t job, std::uint64_t hint, doubl
   const auto lease = lease_of(id, job, hint);
   if (lease == leases_.end()) return;
   lease->second.remaining.take(job);
-  if (!lease->second.remaining.empty()) return;
-  workers_.at(lease->second.worker).leases.erase(lease->first);
-  leases_.erase(lease);
+  if (lease->second.remaining.empty()) forget(lease);
 }
 
-std::optional<QuarantinedJob> Ledger::refused(const Id128& id, std::uint64_t job, std::uint64_t worker,
-                                              const std::string& reason) {
+Ledger::Refused Ledger::refused(const Id128& id, std::uint64_t job, std::uint64_t worker_id,
+                                const std::string& reason) {
   const auto found = sweeps_.find(id);
-  if (found == sweeps_.end()) return std::nullopt;
+  if (found == sweeps_.end()) return {};
   const auto lease = lease_of(id, job, 0);
-  if (lease == leases_.end() || lease->second.worker != worker) return std::nullopt;
+  if (lease == leases_.end() || lease->second.worker != worker_id) return {};
+  Refused reaction;
   Sweep& sweep = found->second;
-  auto quarantined = count_attempt(sweep, id, job, worker, reason);
-  const std::uint32_t attempts = sweep.attempts[job];
+  reaction.quarantined = count_attempt(sweep, id, job, worker_id, reason);
+  const Attempts attempts = sweep.attempts[job];
   ended(id, job, lease->first, -1);
-  if (!quarantined) {
+  if (!reaction.quarantined) {
     sweep.attempts[job] = attempts;
     sweep.suspects.emplace_back(job, 1);
   }
-  return quarantined;
+  Worker& worker = workers_.at(worker_id);
+  if (++worker.refused_results == options_.maximum_refused_results) {
+    worker.refused = true;
+    reaction.farewell.emplace();
+    reaction.farewell->kind = messaging::LeaseKind::refuse;
+    reaction.farewell->reason =
+        std::to_string(worker.refused_results) + " of its results were refused, the last because " + reason;
+  }
+  return reaction;
 }
 
 std::size_t Ledger::live_workers() const {
@@ -418,7 +482,7 @@ std::uint32_t Ledger::attempts(const Id128& id, std::uint64_t job) const {
   const auto found = sweeps_.find(id);
   if (found == sweeps_.end()) return 0;
   const auto attempts = found->second.attempts.find(job);
-  return attempts == found->second.attempts.end() ? 0 : attempts->second;
+  return attempts == found->second.attempts.end() ? 0 : attempts->second.count;
 }
 
 }  // namespace lamprey::coordinator

@@ -25,6 +25,8 @@ struct LedgerOptions {
   Clock::duration adoption_grace = std::chrono::milliseconds{1500};  ///< after a restart: first hear who holds what
   std::uint32_t maximum_attempts = 3;
   std::uint64_t maximum_lease_jobs = 100'000;
+  std::uint32_t maximum_window = 512;  ///< leases of one worker, whatever it asks for; as many as DDS keeps for it
+  std::uint32_t maximum_refused_results = 10;  ///< of one worker's leases; then it gets no more
 };
 
 /// A job that has cost its workers their lives too often; it gets a row of its own instead of another lease.
@@ -52,7 +54,6 @@ class Ledger {
 
   // ---- sweeps ----
   void add_sweep(const Id128& sweep, std::uint64_t jobs, const JobRanges& ended);
-  bool has_sweep(const Id128& sweep) const { return sweeps_.contains(sweep); }
 
   /// Takes the sweep out: its jobs that have not ended, and the leases to revoke.
   struct Closed {
@@ -82,6 +83,11 @@ class Ledger {
   };
   Expired expire(Clock::time_point now);
 
+  /// This program itself stood still for so long (a suspended machine): nobody was silent meanwhile.
+  void forgive(Clock::duration pause);
+
+  bool knows(std::uint64_t worker) const { return workers_.contains(worker); }
+
   struct WorkerView {
     const messaging::WorkerStatus* status;
     std::size_t leases;
@@ -103,10 +109,14 @@ class Ledger {
   /// The job has a row now. `seconds` of computation teach the size of leases; negative: unknown.
   /// `lease`: under which the result came, if known.
   void ended(const Id128& sweep, std::uint64_t job, std::uint64_t lease, double seconds);
-  /// A result of the worker that holds the job was refused: the job is pending again, or quarantined after too many of
-  /// them. Of any other worker it changes nothing: nobody can quarantine a job that was not given to him.
-  std::optional<QuarantinedJob> refused(const Id128& sweep, std::uint64_t job, std::uint64_t worker,
-                                        const std::string& reason);
+  /// A result of the worker that holds the job was refused: the job is pending again, or quarantined after as many
+  /// different workers' results of it as there are attempts. A worker with too many of them gets no more leases. Of
+  /// any other worker it changes nothing: nobody can quarantine a job that was not given to him.
+  struct Refused {
+    std::optional<QuarantinedJob> quarantined;
+    std::optional<messaging::Lease> farewell;  ///< to be sent to the worker, which is given up
+  };
+  Refused refused(const Id128& sweep, std::uint64_t job, std::uint64_t worker, const std::string& reason);
   std::uint32_t attempts(const Id128& sweep, std::uint64_t job) const;
 
  private:
@@ -115,7 +125,8 @@ class Ledger {
     Id128 sweep;
     JobRanges remaining;
     std::uint64_t sequence = 0;
-    bool alone = false;  ///< granted with a single job
+    bool exclusive =
+        false;  ///< a single suspect, given to a worker that holds nothing else: if it dies, it is the job's
     Clock::time_point renewed;
     Clock::time_point sent;
     int unlisted_heartbeats = 0;
@@ -126,13 +137,20 @@ class Ledger {
     Clock::time_point heard;
     std::uint64_t next_sequence = 1;
     std::set<std::uint64_t> leases;
+    std::map<Id128, Clock::time_point> not_before;  ///< sweeps whose leases it didn't take (another version, say)
+    std::uint32_t refused_results = 0;
     bool refused = false;
+    bool exclusive = false;  ///< holds an exclusive lease
+  };
+  struct Attempts {
+    std::uint32_t count = 0;
+    std::set<std::uint64_t> workers;  ///< that were lost, or refused, with it
   };
   struct Sweep {
     JobRanges pending;
     JobRanges leased;
     std::deque<JobRanges> suspects;  ///< parts of lost leases, each to be leased by itself; counted in no other set
-    std::map<std::uint64_t, std::uint32_t> attempts;
+    std::map<std::uint64_t, Attempts> attempts;
     std::optional<double> seconds_per_job;
   };
 
@@ -141,15 +159,23 @@ class Ledger {
                        Clock::time_point now);
   void adopt(Worker& worker, const messaging::HeldLease& held, Heartbeat& reaction, Clock::time_point now);
   void release(std::uint64_t id);
+  void forget(std::map<std::uint64_t, Lease>::iterator lease);
+  bool was_running(const Lease& lease) const;
   void lose(std::uint64_t id, const std::string& reason, Expired& expired);
   std::optional<QuarantinedJob> count_attempt(Sweep& sweep, const Id128& id, std::uint64_t job, std::uint64_t worker,
                                               const std::string& reason);
-  JobRanges next_jobs(Sweep& sweep) const;
+  bool may_take(const Worker& worker) const;
+  static bool serves(const Worker& worker, const Id128& sweep, Clock::time_point now);
+  bool grant_pending(std::uint64_t id, Worker& worker, std::vector<Grant>& grants, Clock::time_point now);
+  bool grant_suspects(std::uint64_t id, Worker& worker, std::vector<Grant>& grants, Clock::time_point now);
+  void give(std::uint64_t id, Worker& worker, const Id128& sweep, JobRanges jobs, bool exclusive,
+            std::vector<Grant>& grants, Clock::time_point now);
   static JobRanges take_free(Sweep& sweep, const JobRanges& wanted);
   static bool take_suspect(Sweep& sweep, std::uint64_t job);
   std::map<std::uint64_t, Lease>::iterator lease_of(const Id128& sweep, std::uint64_t job, std::uint64_t hint);
   std::uint64_t lease_jobs(const Sweep& sweep) const;
-  std::uint32_t slots() const;
+  std::uint32_t window(const Worker& worker) const;
+  std::uint64_t slots() const;
 
   LedgerOptions options_;
   Clock::time_point grants_from_;

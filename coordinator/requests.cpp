@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <filesystem>
+#include <exception>
 #include <spdlog/spdlog.h>
 #include <utility>
 
@@ -56,7 +56,9 @@ std::string state_text(messaging::WorkerState state) {
 
 void Coordinator::take_requests(Clock::time_point now) {
   for (const auto& sample : requests_->take(64)) {
-    if (sample.client == 0) continue;
+    // A client that names a database means its coordinator only.
+    const bool for_another = sample.origin.database != Id128{} && sample.origin.database != store_.database_id();
+    if (sample.client == 0 || for_another) continue;
     idl::Request request;
     idl::Reply reply;
     if (!request.ParseFromArray(sample.payload.data(), static_cast<int>(sample.payload.size()))) {
@@ -68,6 +70,9 @@ void Coordinator::take_requests(Clock::time_point now) {
         spdlog::error("a client's request failed: {}", error.what());
         reply = error_reply(error.kind() == storage::StorageError::Kind::name_taken ? "name_taken" : "storage",
                             error.what());
+      } catch (const std::exception& error) {
+        spdlog::error("a client's request failed: {}", error.what());
+        reply = error_reply("internal", error.what());
       }
     }
     messaging::Reply answer;
@@ -124,7 +129,6 @@ idl::Reply Coordinator::submit(const idl::SubmitRequest& request, Clock::time_po
     open(added.sweep, true);
     sweeps_.at(sweep.id).rate.note(now, 0);
     spdlog::info("sweep {}: {} jobs submitted", sweep.name, sweep.jobs);
-    event("sweep_submitted", 0, std::to_string(sweep.jobs) + " jobs", added.sweep.row);
   }
   idl::Reply reply;
   reply.mutable_submit()->set_id(experiment::to_hex(sweep.id));
@@ -184,7 +188,7 @@ idl::Reply Coordinator::status(const idl::StatusRequest& request) {
     worker->set_jobs_done(view.status->jobs_done);
     worker->set_leases(static_cast<std::uint32_t>(view.leases));
   }
-  status->set_database(std::filesystem::absolute(store_.path()).string());
+  status->set_database(database_path_);
   status->set_database_id(experiment::to_hex(store_.database_id()));
   status->set_epoch(store_.epoch());
   return reply;

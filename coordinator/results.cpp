@@ -46,7 +46,8 @@ void Coordinator::take_result(const messaging::Origin& origin, const Id128& id, 
   if (!judgement.row) return refuse(origin, id, result, judgement.refusal);
   judgement.row->attempt = ledger_.attempts(id, result.job) + 1;
   staged_bytes_ += messaging::wire_bytes(result);
-  staged_.emplace(std::pair(id, result.job), result.digest);
+  staged_.emplace(std::pair(id, result.job),
+                  storage::ResultsStore::StoredJob{judgement.row->state, judgement.row->digest});
   if (judgement.row->state == storage::JobState::failed) {
     spdlog::warn("job {} of sweep {} failed: {}", result.job, sweep.stored.what.name, result.reason);
   }
@@ -64,19 +65,28 @@ void Coordinator::answer_known(OpenSweep* sweep, std::int64_t row, const messagi
                                const messaging::JobResult& result) {
   std::optional<storage::ResultsStore::StoredJob> stored;
   if (const auto staged = staged_.find({id, result.job}); staged != staged_.end()) {
-    stored = {.state = storage::JobState::done, .digest = staged->second};
+    stored = staged->second;
   } else {
     stored = store_.find_job(row, result.job);
   }
-  // A sweep that is being cancelled has jobs without a row yet.
-  const bool cancelling = sweep != nullptr && result.job < sweep->stored.what.jobs;
-  if (!stored && !cancelling) return refuse(origin, id, result, "the sweep has no such job");
+  // Of an open sweep, a job that is not open and has no row is one that is being cancelled.
+  const bool waits_for_its_row = sweep != nullptr && result.job < sweep->stored.what.jobs;
+  if (!stored && !waits_for_its_row) return refuse(origin, id, result, "the sweep has no such job");
   if (!stored || stored->state == storage::JobState::cancelled) {
     return refuse(origin, id, result, cancelled_job);
   }
+  if (result.kind == messaging::ResultKind::done) {
+    if (!stored->digest) return refuse(origin, id, result, "the job is stored as " + to_text(stored->state));
+    // What is recorded as a divergence must at least be what it claims to be.
+    if (origin.science_version != experiment::science_version) {
+      return refuse(origin, id, result, "it was computed under another science version");
+    }
+    if (experiment::outcome_digest(result.identity, result.outcome) != result.digest) {
+      return refuse(origin, id, result, "its digest is not that of its values");
+    }
+  }
   messaging::Acknowledgement answer{id, result.job, result.digest, messaging::Verdict::duplicate, {}};
-  const bool comparable = stored->digest && result.kind == messaging::ResultKind::done;
-  if (comparable && *stored->digest != result.digest && *stored->digest != Digest{}) {
+  if (result.kind == messaging::ResultKind::done && *stored->digest != result.digest) {
     answer.verdict = messaging::Verdict::divergent;
     answer.reason = "stored with digest " + experiment::to_hex(*stored->digest);
     spdlog::error("DIVERGENCE: job {} of sweep {} has digest {}, worker {:016x} computed {}", result.job,
@@ -94,7 +104,13 @@ void Coordinator::refuse(const messaging::Origin& origin, const Id128& id, const
   const auto level = reason == cancelled_job ? spdlog::level::debug : spdlog::level::warn;
   spdlog::log(level, "a result of worker {:016x} for job {} of sweep {} is refused: {}", origin.worker, result.job,
               experiment::to_hex(id), reason);
-  if (auto quarantined = ledger_.refused(id, result.job, origin.worker, reason)) quarantine(*quarantined);
+  auto reaction = ledger_.refused(id, result.job, origin.worker, reason);
+  if (reaction.quarantined) quarantine(*reaction.quarantined);
+  if (reaction.farewell) {
+    spdlog::error("worker {:016x} gets no more leases: {}", origin.worker, reaction.farewell->reason);
+    event("worker_refused", origin.worker, reaction.farewell->reason);
+    send(origin.worker, std::move(*reaction.farewell));
+  }
   stage({origin.worker, {id, result.job, result.digest, messaging::Verdict::refused, reason}, result.lease, -1, false});
 }
 
@@ -104,7 +120,9 @@ void Coordinator::stage(StagedAnswer answer) {
 
 void Coordinator::acknowledge(const std::vector<StagedAnswer>& answers) {
   std::map<std::uint64_t, messaging::ResultAcknowledgement> samples;
+  // Only whom a heartbeat has introduced gets a writer; others send again, after theirs.
   const auto flush = [&](std::uint64_t worker, messaging::ResultAcknowledgement& sample) {
+    if (!ledger_.knows(worker)) return sample.results.clear();
     sample.origin = origin(worker);
     acknowledgements_.write(worker, sample);
     sample.results.clear();

@@ -21,7 +21,7 @@ struct QosProfile {
 namespace qos {
 inline constexpr QosProfile status{.transient_local = true, .liveliness = std::chrono::milliseconds{2000}};
 inline constexpr QosProfile specification{.transient_local = true};
-inline constexpr QosProfile lease{.transient_local = true, .depth = 64};
+inline constexpr QosProfile lease{.transient_local = true, .depth = 512};
 inline constexpr QosProfile result{.keep_all = true, .depth = 512};
 inline constexpr QosProfile acknowledgement{.transient_local = true, .depth = 64};
 inline constexpr QosProfile request{.transient_local = true, .depth = 8};

@@ -6,6 +6,9 @@ StorageError::Kind error_kind(int code) {
   switch (code & 0xff) {
     case SQLITE_FULL:
       return StorageError::Kind::full;
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      return StorageError::Kind::busy;
     case SQLITE_CORRUPT:
       return StorageError::Kind::corrupt;
     case SQLITE_NOTADB:

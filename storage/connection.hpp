@@ -9,7 +9,7 @@
 namespace lamprey::storage {
 
 /// How long a statement waits for another program that holds a lock, such as a user's own write transaction.
-inline constexpr int busy_milliseconds = 5000;
+inline constexpr int busy_milliseconds = 1000;
 
 /// An open SQLite connection; closed with the object. Statements of the connection must be gone by then.
 /// Not thread-safe.

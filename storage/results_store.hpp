@@ -28,6 +28,7 @@ class StorageError : public std::runtime_error {
     name_taken,  ///< a different sweep of that name exists
     corrupt,
     full,          ///< no space left
+    busy,          ///< somebody else writes it at this moment; passes
     input_output,  ///< anything else that SQLite or the system reports
   };
   StorageError(Kind kind, const std::string& message) : std::runtime_error(message), kind_(kind) {}

@@ -80,7 +80,7 @@ SchemaObject job_table() {
 SchemaObject worker_table() {
   return {
       "worker",
-      "One row per run of a worker process that has delivered results.",
+      "One row per run of a worker process that has joined.",
       {
           {"worker", "INTEGER PRIMARY KEY", "Key: the worker's incarnation, 64 bits; printf('%016x', worker) in logs"},
           {"host", "TEXT NOT NULL", "Name of its host"},

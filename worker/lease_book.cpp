@@ -2,6 +2,8 @@
 
 #include "experiment/sweep.hpp"
 
+#include <algorithm>
+
 namespace lamprey::worker {
 
 namespace {
@@ -16,6 +18,7 @@ bool LeaseBook::grant(const messaging::Lease& message) {
   if (leases_.contains(key) || ended_.contains(key)) return false;
   Lease lease;
   lease.epoch = message.origin.epoch;
+  lease.arrival = ++arrivals_;
   lease.sweep = message.sweep;
   for (const auto& range : message.ranges) {
     if (range.first >= experiment::maximum_jobs || range.count > experiment::maximum_jobs - range.first) return false;
@@ -34,6 +37,18 @@ bool LeaseBook::revoke(const Key& key) {
   leases_.erase(found);
   remember(key);
   return true;
+}
+
+void LeaseBook::forget_sweep(const Id128& database, const Id128& sweep) {
+  std::erase_if(leases_,
+                [&](const auto& entry) { return entry.first.first == database && entry.second.sweep == sweep; });
+}
+
+std::vector<std::map<LeaseBook::Key, LeaseBook::Lease>::iterator> LeaseBook::by_arrival() {
+  std::vector<std::map<Key, Lease>::iterator> order;
+  for (auto it = leases_.begin(); it != leases_.end(); ++it) order.push_back(it);
+  std::ranges::sort(order, {}, [](const auto& entry) { return entry->second.arrival; });
+  return order;
 }
 
 void LeaseBook::settled(const Id128& database, const Id128& sweep, std::uint64_t job) {

@@ -31,6 +31,9 @@ class LeaseBook {
   /// Jobs that have not started are dropped; true if the lease was held.
   bool revoke(const Key& key);
 
+  /// The sweep can't be computed here: its leases are no longer held, and the coordinator gives them to others.
+  void forget_sweep(const Id128& database, const Id128& sweep);
+
   /// Up to `most` jobs to start now, of sweeps that `can_start` allows, oldest lease first.
   struct Start {
     Key lease;
@@ -52,13 +55,16 @@ class LeaseBook {
  private:
   struct Lease {
     std::uint64_t epoch = 0;
+    std::uint64_t arrival = 0;  ///< counts up
     Id128 sweep;
     JobRanges remaining;    ///< without a terminal answer
     JobRanges not_started;  ///< part of remaining
   };
   void remember(const Key& key);
+  std::vector<std::map<Key, Lease>::iterator> by_arrival();
 
   std::map<Key, Lease> leases_;
+  std::uint64_t arrivals_ = 0;
   std::set<Key> ended_;  ///< of the last `remembered` leases
   std::deque<Key> ended_order_;
 };
@@ -66,7 +72,8 @@ class LeaseBook {
 template <class CanStart>
 std::vector<LeaseBook::Start> LeaseBook::start(std::size_t most, CanStart can_start) {
   std::vector<Start> starts;
-  for (auto& [key, lease] : leases_) {
+  for (const auto& entry : by_arrival()) {
+    auto& [key, lease] = *entry;
     if (starts.size() >= most) break;
     if (lease.not_started.empty() || !can_start(key.first, lease.sweep)) continue;
     for (const auto& range : lease.not_started.take_lowest(most - starts.size()).ranges()) {

@@ -53,8 +53,9 @@ std::vector<messaging::ResultBatch> Outbox::due(Clock::time_point now, bool flus
   for (auto& [key, held] : results_) {
     if (held.next > now) continue;
     const bool first = held.sendings == 0;
-    if (first && in_flight_bytes_ > 0 && in_flight_bytes_ + held.bytes > options_.most_bytes_in_flight) continue;
-    if (first) in_flight_bytes_ += held.bytes;
+    std::size_t& in_flight = in_flight_bytes_[key.database];
+    if (first && in_flight > 0 && in_flight + held.bytes > options_.most_bytes_in_flight) continue;
+    if (first) in_flight += held.bytes;
     held.next = now + patience(held.sendings++);
     if (held.bytes <= messaging::maximum_sample_bytes) {
       place(key, held.result, held.bytes);
@@ -75,7 +76,9 @@ Clock::duration Outbox::patience(int sendings) const {
 void Outbox::postpone(const messaging::ResultBatch& batch, Clock::time_point now) {
   for (const auto& result : batch.results) {
     const auto found = results_.find({batch.origin.database, batch.sweep, result.job});
-    if (found != results_.end()) found->second.next = now + postponement;
+    if (found == results_.end()) continue;
+    found->second.next = now + postponement;
+    found->second.sendings = 1;  // in flight, as far as its bytes go, but with the first patience again
   }
 }
 
@@ -83,14 +86,16 @@ bool Outbox::acknowledge(const Id128& database, const messaging::Acknowledgement
   const auto found = results_.find({database, answer.sweep, answer.job});
   if (found == results_.end() || found->second.result.digest != answer.digest) return false;
   held_bytes_ -= found->second.bytes;
-  if (found->second.sendings > 0) in_flight_bytes_ -= found->second.bytes;
+  if (found->second.sendings > 0) in_flight_bytes_[database] -= found->second.bytes;
   results_.erase(found);
   return true;
 }
 
 void Outbox::resend_all(const Id128& database) {
   for (auto& [key, held] : results_) {
-    if (key.database == database) held.next = {};
+    if (key.database != database) continue;
+    held.next = {};
+    held.sendings = std::min(held.sendings, 1);
   }
 }
 

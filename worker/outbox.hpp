@@ -17,7 +17,7 @@ using Clock = std::chrono::steady_clock;
 struct OutboxOptions {
   Clock::duration linger = std::chrono::milliseconds{50};   ///< small results wait so long for company
   Clock::duration resend = std::chrono::seconds{2};         ///< without an answer; doubles up to 16 s
-  std::size_t most_bytes_in_flight = std::size_t{8} << 20;  ///< sent, not answered
+  std::size_t most_bytes_in_flight = std::size_t{8} << 20;  ///< sent to one coordinator, not answered
   std::size_t most_bytes = std::size_t{256} << 20;          ///< held altogether; then nothing new is computed
 };
 
@@ -68,7 +68,7 @@ class Outbox {
   OutboxOptions options_;
   std::map<Key, Held> results_;
   std::size_t held_bytes_ = 0;
-  std::size_t in_flight_bytes_ = 0;
+  std::map<Id128, std::size_t> in_flight_bytes_;  ///< by database: one that is away must not hold up the others
 };
 
 }  // namespace lamprey::worker

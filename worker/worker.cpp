@@ -54,9 +54,11 @@ void Worker::step(Clock::time_point now) {
   take_leases();
   take_acknowledgements();
   take_finished(now);
+  choose_jobs();
+  // Before they start: if a job ends this process at once, the coordinator has heard what was running.
+  send_status(now);
   start_jobs();
   send_results(now);
-  send_status(now);
 }
 
 /// Whether the sample comes from the newest coordinator known for its database. A newer one than before may not have
@@ -91,7 +93,7 @@ void Worker::take_specifications() {
     idl::SweepSpecification specification;
     const auto& bytes = sample.specification;
     if (!specification.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) {
-      spdlog::error("sweep {}: its specification cannot be read; is the coordinator of another version?", sample.name);
+      cannot_compute(sample, "its specification cannot be read");
       continue;
     }
     try {
@@ -99,8 +101,17 @@ void Worker::take_specifications() {
       spdlog::info("sweep {}: {} jobs", sample.name, grids_[key]->jobs());
     } catch (const experiment::InvalidInput& error) {
       grids_.erase(key);
-      spdlog::error("sweep {}: {}; is the coordinator of another version?", sample.name, error.what());
+      cannot_compute(sample, error.what());
     }
+  }
+}
+
+void Worker::cannot_compute(const messaging::SweepSpecification& sample, const std::string& reason) {
+  const auto key = std::pair(sample.origin.database, sample.sweep);
+  book_.forget_sweep(key.first, key.second);
+  status_changed_ = true;
+  if (unusable_.size() < most_sweeps && unusable_.insert(key).second) {
+    spdlog::error("sweep {} is left to other workers: {}; is the coordinator of another version?", sample.name, reason);
   }
 }
 
@@ -124,7 +135,8 @@ void Worker::take_leases() {
         break;
       }
       case messaging::LeaseKind::grant:
-        if (!leaving_ && lease.origin.science_version == experiment::science_version && book_.grant(lease)) {
+        if (!leaving_ && lease.origin.science_version == experiment::science_version &&
+            !unusable_.contains({lease.origin.database, lease.sweep}) && book_.grant(lease)) {
           status_changed_ = true;
         }
         break;
@@ -159,7 +171,7 @@ void Worker::take_finished(Clock::time_point now) {
   }
 }
 
-void Worker::start_jobs() {
+void Worker::choose_jobs() {
   if (leaving_) return;
   if (outbox_.full()) {
     if (!std::exchange(said_full_, true)) {
@@ -171,7 +183,6 @@ void Worker::start_jobs() {
   said_full_ = false;
   const auto wanted = executor_.wanted();
   if (wanted == 0) return;
-  std::vector<Task> tasks;
   const auto known = [this](const Id128& database, const Id128& sweep) { return grids_.contains({database, sweep}); };
   for (const auto& start : book_.start(wanted, known)) {
     if (outbox_.holds(start.lease.first, start.sweep, start.job)) continue;
@@ -180,14 +191,23 @@ void Worker::start_jobs() {
       book_.settled(start.lease.first, start.sweep, start.job);
       continue;
     }
-    tasks.push_back({start.lease.first, start.sweep, start.lease.second, start.job, grid});
+    starting_.push_back({start.lease.first, start.sweep, start.lease.second, start.job, grid});
   }
-  if (!tasks.empty()) executor_.submit(std::move(tasks));
+}
+
+void Worker::start_jobs() {
+  if (!starting_.empty()) executor_.submit(std::exchange(starting_, {}));
 }
 
 void Worker::send_results(Clock::time_point now) {
   const bool flush = leaving_ || executor_.idle();
+  bool keeps_up = true;
   for (auto& batch : outbox_.due(now, flush)) {
+    // A reader that does not keep up costs one failed write per step, not one per batch.
+    if (!keeps_up) {
+      outbox_.postpone(batch, now);
+      continue;
+    }
     const Id128 database = batch.origin.database;
     batch.origin = {database, coordinators_[database].epoch, options_.incarnation, experiment::science_version};
     batch.sequence = ++batches_;
@@ -195,6 +215,7 @@ void Worker::send_results(Clock::time_point now) {
     if (written) continue;
     if (written.kind == messaging::WriteResult::Kind::failed) spdlog::warn("results were not sent: {}", written.error);
     outbox_.postpone(batch, now);
+    keeps_up = false;
   }
 }
 
@@ -213,6 +234,8 @@ messaging::WorkerStatus Worker::status() const {
   status.results_held = outbox_.held();
   status.leases = book_.held();
   status.running = executor_.running();
+  const std::size_t next = std::min<std::size_t>(starting_.size(), executor_.threads());
+  for (std::size_t i = 0; i < next; ++i) status.running.push_back({starting_[i].sweep, starting_[i].job});
   status.host = options_.host;
   status.process = options_.process;
   status.build = options_.build;
@@ -221,7 +244,9 @@ messaging::WorkerStatus Worker::status() const {
 }
 
 void Worker::send_status(Clock::time_point now) {
-  const bool news = status_changed_ && now - last_status_ >= shortest_status_interval;
+  // What may be the last job of this process is told before it starts, however short ago the last heartbeat was.
+  const bool alone = starting_.size() == 1 && executor_.idle();
+  const bool news = (status_changed_ && (alone || now - last_status_ >= shortest_status_interval)) || alone;
   if (!news && now < status_due_) return;
   ++heartbeats_;
   if (auto result = status_->write(status()); !result) spdlog::debug("heartbeat: {}", result.error);

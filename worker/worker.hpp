@@ -10,7 +10,10 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace lamprey::worker {
 
@@ -53,7 +56,9 @@ class Worker {
   void take_leases();
   void take_acknowledgements();
   void take_finished(Clock::time_point now);
+  void choose_jobs();
   void start_jobs();
+  void cannot_compute(const messaging::SweepSpecification& sample, const std::string& reason);
   void send_results(Clock::time_point now);
   void send_status(Clock::time_point now);
   messaging::WorkerStatus status() const;
@@ -69,6 +74,8 @@ class Worker {
 
   std::map<Id128, KnownCoordinator> coordinators_;                                         ///< by database
   std::map<std::pair<Id128, Id128>, std::shared_ptr<const experiment::SweepGrid>> grids_;  ///< by database and sweep
+  std::set<std::pair<Id128, Id128>> unusable_;  ///< sweeps whose specification this version can't read
+  std::vector<Task> starting_;                  ///< chosen, and not handed to the executor yet
   LeaseBook book_;
   Outbox outbox_;
   Id128 last_database_;

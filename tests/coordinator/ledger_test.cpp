@@ -23,6 +23,18 @@ class LedgerTest : public testing::Test {
   void beat(std::uint64_t worker, std::uint64_t heartbeat, std::uint32_t window = 2) {
     ledger.heartbeat(status(worker, heartbeat, window), database, now);
   }
+  /// The worker joins, gets job 0 and reports it running; its lease's number.
+  std::uint64_t grant_and_run(std::uint64_t worker) {
+    beat(worker, 1, 1);
+    const auto grants = ledger.grant(now);
+    EXPECT_EQ(grants.size(), 1U);
+    if (grants.empty()) return 0;
+    auto running = status(worker, 2, 1);
+    running.running = {{sweep, 0}};
+    running.leases = {{database, 1, grants[0].lease.lease, sweep, {{0, 1}}}};
+    ledger.heartbeat(running, database, now);
+    return grants[0].lease.lease;
+  }
 };
 
 TEST_F(LedgerTest, FirstLeasesAreSingleJobsAndLaterOnesLastAboutASecond) {
@@ -115,27 +127,123 @@ TEST_F(LedgerTest, SilentWorkerLosesItsLeasesWhichAreSplit) {
 
 TEST_F(LedgerTest, AnAttemptCountsOnlyForAJobLeasedAloneAndReportedRunning) {
   ledger.add_sweep(sweep, 1, {});
-  for (std::uint32_t attempt = 1; attempt <= 5; ++attempt) {
-    const std::uint64_t worker = attempt;
+  // The first lease is of pending jobs, the next four are of a suspect that was never reported running.
+  for (std::uint64_t worker = 1; worker <= 5; ++worker) {
     beat(worker, 1, 1);
     ASSERT_EQ(ledger.grant(now).size(), 1U);
     now += std::chrono::seconds{6};
     const auto expired = ledger.expire(now);
     ASSERT_EQ(expired.leases.size(), 1U);
-    EXPECT_TRUE(expired.quarantined.empty()) << "it was never reported running";
+    EXPECT_TRUE(expired.quarantined.empty());
+    EXPECT_EQ(ledger.attempts(sweep, 0), 0U);
   }
   for (std::uint32_t attempt = 1; attempt <= 3; ++attempt) {
-    const std::uint64_t worker = 100 + attempt;
-    beat(worker, 1, 1);
-    const auto grants = ledger.grant(now);
-    ASSERT_EQ(grants.size(), 1U);
-    auto running = status(worker, 2, 1);
-    running.running = {{sweep, 0}};
-    running.leases = {{database, 1, grants[0].lease.lease, sweep, {{0, 1}}}};
-    ledger.heartbeat(running, database, now);
+    grant_and_run(100 + attempt);
     now += std::chrono::seconds{6};
     EXPECT_EQ(ledger.expire(now).quarantined.size(), attempt == 3 ? 1U : 0U);
   }
+}
+
+TEST_F(LedgerTest, SuspectIsGivenToAWorkerThatHoldsNothingElseAndGetsNothingElse) {
+  ledger.add_sweep(sweep, 3, {});
+  beat(1, 1, 3);
+  ASSERT_EQ(ledger.grant(now).size(), 3U);
+  now += std::chrono::seconds{6};
+  EXPECT_EQ(ledger.expire(now).leases.size(), 3U);
+  beat(2, 1, 3);
+  const auto grants = ledger.grant(now);
+  ASSERT_EQ(grants.size(), 1U) << "one suspect, alone, although there is room for three";
+  EXPECT_TRUE(ledger.grant(now).empty());
+  ledger.ended(sweep, grants[0].lease.ranges[0].first, grants[0].lease.lease, 0.1);
+  EXPECT_EQ(ledger.grant(now).size(), 1U) << "the next one when that has ended";
+}
+
+TEST_F(LedgerTest, JobsThatWereLostBesideTheCulpritAreNotBlamed) {
+  ledger.add_sweep(sweep, 8, {});
+  beat(1, 1, 8);
+  ASSERT_EQ(ledger.grant(now).size(), 8U);
+  auto running = status(1, 2, 8);
+  for (std::uint64_t job = 0; job < 8; ++job) running.running.push_back({sweep, job});
+  ledger.heartbeat(running, database, now);
+  now += std::chrono::seconds{6};
+  EXPECT_EQ(ledger.expire(now).leases.size(), 8U);
+  for (std::uint64_t job = 0; job < 8; ++job) EXPECT_EQ(ledger.attempts(sweep, job), 0U);
+}
+
+TEST_F(LedgerTest, AWorkerThatWasThoughtDeadTakesItsAttemptBack) {
+  ledger.add_sweep(sweep, 1, {});
+  beat(1, 1, 1);
+  ledger.grant(now);
+  now += std::chrono::seconds{6};
+  ledger.expire(now);
+  const auto lease = grant_and_run(2);
+  now += std::chrono::seconds{6};
+  ledger.expire(now);
+  EXPECT_EQ(ledger.attempts(sweep, 0), 1U);
+  auto back = status(2, 9, 1);
+  back.leases = {{database, 1, lease, sweep, {{0, 1}}}};
+  EXPECT_EQ(ledger.heartbeat(back, database, now).adopted_jobs, 1U);
+  EXPECT_EQ(ledger.attempts(sweep, 0), 0U);
+}
+
+TEST_F(LedgerTest, APauseOfThisProgramIsNobodysSilence) {
+  ledger.add_sweep(sweep, 4, {});
+  beat(1, 1, 1);
+  ASSERT_EQ(ledger.grant(now).size(), 1U);
+  now += std::chrono::seconds{60};
+  ledger.forgive(std::chrono::seconds{60});
+  EXPECT_TRUE(ledger.expire(now).workers.empty());
+  EXPECT_TRUE(ledger.expire(now).leases.empty());
+}
+
+TEST_F(LedgerTest, SuspectsOfOneSweepDoNotStopAnother) {
+  constexpr Id128 other{5, 6};
+  ledger.add_sweep(sweep, 1, {});
+  beat(1, 1, 1);
+  ledger.grant(now);
+  now += std::chrono::seconds{6};
+  ledger.expire(now);
+  ledger.add_sweep(other, 5, {});
+  beat(2, 1, 1);
+  const auto grants = ledger.grant(now);
+  ASSERT_EQ(grants.size(), 1U);
+  EXPECT_EQ(grants[0].lease.sweep, other);
+}
+
+TEST_F(LedgerTest, NoWindowIsBelievedBeyondItsBound) {
+  ledger.add_sweep(sweep, 100'000, {});
+  beat(1, 1, ~std::uint32_t{0});
+  EXPECT_EQ(ledger.grant(now).size(), 512U);
+}
+
+TEST_F(LedgerTest, AWorkerWhoseResultsAreRefusedAgainAndAgainGetsNoMore) {
+  ledger.add_sweep(sweep, 100, {});
+  beat(1, 1, 1);
+  int refused = 0;
+  for (auto grants = ledger.grant(now); !grants.empty(); grants = ledger.grant(now)) {
+    const auto reaction = ledger.refused(sweep, grants[0].lease.ranges[0].first, 1, "bad memory");
+    EXPECT_FALSE(reaction.quarantined.has_value());
+    EXPECT_EQ(reaction.farewell.has_value(), ++refused == 10);
+  }
+  EXPECT_EQ(refused, 10);
+  EXPECT_EQ(ledger.pending(sweep), 100U) << "its jobs are left to others";
+}
+
+TEST_F(LedgerTest, AWorkerThatDoesNotTakeASweepsLeasesIsLeftAloneWithItForAWhile) {
+  ledger.add_sweep(sweep, 10, {});
+  beat(1, 1, 1);
+  ASSERT_EQ(ledger.grant(now).size(), 1U);
+  for (std::uint64_t heartbeat = 2; heartbeat < 12; ++heartbeat) {
+    now += std::chrono::milliseconds{500};
+    beat(1, heartbeat, 1);
+  }
+  EXPECT_EQ(ledger.leased(sweep), 0U);
+  EXPECT_TRUE(ledger.grant(now).empty());
+  beat(2, 1, 1);
+  EXPECT_EQ(ledger.grant(now).size(), 1U) << "others get it";
+  now += std::chrono::seconds{31};
+  beat(1, 12, 1);
+  EXPECT_EQ(ledger.grant(now).size(), 1U);
 }
 
 TEST_F(LedgerTest, OldHeartbeatsAreIgnored) {

@@ -372,6 +372,31 @@ TEST_F(ProtocolFaults, JobThatKillsItsWorkersIsQuarantinedAndTheRestIsDone) {
   EXPECT_EQ(site.rows("state = 'quarantined' AND job = 17 AND attempt = 3"), 1U);
 }
 
+TEST_F(ProtocolFaults, UnreadableSpecificationIsLeftToOtherWorkers) {
+  start(1);
+  // What a coordinator of a later version might send: this worker can't read it, the next one can.
+  site.bus.on_sample([](const Envelope& envelope) {
+    const auto* sample = envelope.get<SweepSpecification>();
+    return sample != nullptr && sample->open ? Fate::drop : Fate::deliver;
+  });
+  site.submit(small_sweep("later-version"));
+  {
+    const auto stranger = site.bus.join("later coordinator");
+    const auto writer = stranger->writer<SweepSpecification>();
+    SweepSpecification sample;
+    sample.origin = {site.database_id(), 1, 0, experiment::science_version};
+    sample.sweep = experiment::sweep_id(experiment::parse_sweep(small_sweep("later-version"), "test").specification);
+    sample.name = "later-version";
+    sample.specification = {0xff, 0xff, 0xff};
+    site.bus.on_sample({});
+    ASSERT_TRUE(static_cast<bool>(writer->write(sample)));
+  }
+  site.advance(std::chrono::milliseconds{200});
+  site.start_worker();
+  ASSERT_TRUE(site.run_to_end());
+  site.expect_complete();
+}
+
 TEST_F(ProtocolFaults, RandomLossRepetitionAndDelayOfEverything) {
   const char* size = std::getenv("LAMPREY_TEST_SIZE");
   const unsigned storms = size != nullptr && std::string_view(size) == "full" ? 60 : 6;

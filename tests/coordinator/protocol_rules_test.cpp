@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sqlite3.h>
 
 namespace lamprey::tests {
 namespace {
@@ -23,6 +24,7 @@ class HandWorker {
             participant_->reader<messaging::ResultAcknowledgement>(signal_, messaging::Partition::of(incarnation))) {}
 
   std::uint32_t science_version = experiment::science_version;
+  std::string host = "hand";
 
   std::vector<messaging::Lease> heartbeat(std::vector<messaging::HeldLease> held = {}) {
     messaging::WorkerStatus status;
@@ -30,7 +32,7 @@ class HandWorker {
     status.heartbeat = ++heartbeats_;
     status.threads = 1;
     status.window = 2;
-    status.host = "hand";
+    status.host = host;
     status.leases = std::move(held);
     EXPECT_TRUE(static_cast<bool>(status_->write(status)));
     site_.advance(std::chrono::milliseconds{100});
@@ -145,6 +147,70 @@ TEST_F(ProtocolRules, AnotherDigestIsADivergenceAndTheFirstStays) {
   EXPECT_EQ(site.rows(), 1U);
 }
 
+TEST_F(ProtocolRules, DivergenceThatIsNotWhatItClaimsIsRefused) {
+  auto result = computed(grid, 0);
+  ASSERT_EQ(send(result).at(0).verdict, Verdict::committed);
+  result.digest[3] ^= 1;
+  EXPECT_EQ(send(result).at(0).verdict, Verdict::refused);
+  EXPECT_EQ(site.number("SELECT count(*) FROM divergence"), 0U);
+}
+
+TEST_F(ProtocolRules, OutcomeOfAJobThatIsStoredAsFailedIsNotCalledADuplicate) {
+  messaging::JobResult failed;
+  failed.job = 0;
+  failed.kind = messaging::ResultKind::failed;
+  failed.identity = experiment::identity(grid.job(0));
+  failed.digest[0] = 9;  // a failure has none; whatever is there must not be taken for one
+  ASSERT_EQ(send(failed).at(0).verdict, Verdict::committed);
+  const auto answers = send(computed(grid, 0));
+  EXPECT_EQ(answers.at(0).verdict, Verdict::refused);
+  EXPECT_THAT(answers.at(0).reason, testing::HasSubstr("failed"));
+  EXPECT_EQ(site.number("SELECT count(*) FROM divergence"), 0U);
+}
+
+TEST_F(ProtocolRules, DatabaseThatSomebodyElseWritesIsWaitedFor) {
+  sqlite3* other = nullptr;
+  ASSERT_EQ(sqlite3_open(site.database().c_str(), &other), SQLITE_OK);
+  ASSERT_EQ(sqlite3_exec(other, "BEGIN IMMEDIATE", nullptr, nullptr, nullptr), SQLITE_OK);
+  const auto result = computed(grid, 0);
+  EXPECT_TRUE(send(result).empty()) << "not stored, so not acknowledged";
+  ASSERT_EQ(sqlite3_exec(other, "ROLLBACK", nullptr, nullptr, nullptr), SQLITE_OK);
+  sqlite3_close(other);
+  site.advance(std::chrono::seconds{2});
+  EXPECT_EQ(site.rows(), 1U);
+  EXPECT_EQ(send(result).back().verdict, Verdict::duplicate);
+}
+
+TEST_F(ProtocolRules, HostNameThatIsNoTextDoesNotSpoilTheStatus) {
+  HandWorker odd(site, 0x55);
+  odd.host = "caf\xe9\n";
+  odd.heartbeat();
+  idl::Request request;
+  request.mutable_status();
+  EXPECT_EQ(site.ask(request).status().workers_size(), 2);
+}
+
+TEST_F(ProtocolRules, RequestThatNamesAnotherDatabaseIsNotForThisCoordinator) {
+  const auto client = site.bus.join("client");
+  const auto replies =
+      client->reader<messaging::Reply>(std::make_shared<messaging::Signal>(), messaging::Partition::of(0xc1));
+  const auto requests = client->writer<messaging::Request>();
+  idl::Request request;
+  request.mutable_status();
+  const auto bytes = request.SerializeAsString();
+  messaging::Request sample;
+  sample.client = 0xc1;
+  sample.payload.assign(bytes.begin(), bytes.end());
+  sample.origin.database = {1, 1};
+  ASSERT_TRUE(static_cast<bool>(requests->write(sample)));
+  site.advance(std::chrono::milliseconds{200});
+  EXPECT_TRUE(replies->take().empty());
+  sample.origin.database = origin.database;
+  ASSERT_TRUE(static_cast<bool>(requests->write(sample)));
+  site.advance(std::chrono::milliseconds{200});
+  EXPECT_EQ(replies->take().size(), 1U);
+}
+
 TEST_F(ProtocolRules, ForgedDigestIsRefused) {
   auto result = computed(grid, 0);
   result.digest[5] ^= 1;
@@ -195,6 +261,7 @@ TEST_F(ProtocolRules, ResultsForAnotherDatabaseAreNobodysBusiness) {
 
 TEST_F(ProtocolRules, RefusedResultsOfAStrangerCannotQuarantineAJob) {
   HandWorker stranger(site, 0x99);
+  stranger.heartbeat();
   auto forged = computed(grid, 0);
   forged.digest[0] ^= 1;
   for (int i = 0; i < 5; ++i) EXPECT_EQ(stranger.send(origin, sweep, forged).at(0).verdict, Verdict::refused);

@@ -159,6 +159,10 @@ std::uint64_t Site::rows(const std::string& where) {
   return number("SELECT count(*) FROM job WHERE " + where);
 }
 
+experiment::Id128 Site::database_id() const {
+  return storage::ResultsReader(database().string()).database_id();
+}
+
 bool Site::ended() {
   return number("SELECT count(*) FROM sweep WHERE state IN ('running', 'cancelling')") == 0;
 }

@@ -94,6 +94,7 @@ class Site {
   /// How often jobs were computed over all workers that ever lived.
   std::size_t computed() const;
 
+  experiment::Id128 database_id() const;
   std::filesystem::path database() const { return directory_ / "results.db"; }
 
  private:

@@ -23,8 +23,8 @@ messaging::Lease grant(std::uint64_t lease, std::uint64_t first, std::uint64_t c
 
 TEST(LeaseBook, StartsEachJobOnceOldestLeaseFirst) {
   LeaseBook book;
-  ASSERT_TRUE(book.grant(grant(2, 10, 3)));
-  ASSERT_TRUE(book.grant(grant(1, 0, 2)));
+  ASSERT_TRUE(book.grant(grant(9, 0, 2)));
+  ASSERT_TRUE(book.grant(grant(1, 10, 3)));
   std::vector<std::uint64_t> jobs;
   for (const auto& start : book.start(4, any_sweep)) jobs.push_back(start.job);
   EXPECT_EQ(jobs, (std::vector<std::uint64_t>{0, 1, 10, 11}));
@@ -80,6 +80,17 @@ TEST(LeaseBook, JobsOfASweepThatIsNotKnownYetWait) {
   ASSERT_TRUE(book.grant(grant(1, 0, 5)));
   EXPECT_TRUE(book.start(9, [](const Id128&, const Id128&) { return false; }).empty());
   EXPECT_EQ(book.start(9, any_sweep).size(), 5U);
+}
+
+TEST(LeaseBook, ForgottenSweepIsNoLongerHeld) {
+  LeaseBook book;
+  ASSERT_TRUE(book.grant(grant(1, 0, 5)));
+  auto other = grant(2, 0, 5);
+  other.sweep = {8, 8};
+  ASSERT_TRUE(book.grant(other));
+  book.forget_sweep(database, sweep);
+  ASSERT_EQ(book.held().size(), 1U);
+  EXPECT_EQ(book.held()[0].lease, 2U);
 }
 
 TEST(LeaseBook, ImpossibleRangesAreIgnored) {

@@ -98,6 +98,16 @@ TEST_F(OutboxTest, NoMoreIsInFlightThanAllowed) {
   EXPECT_FALSE(bounded.due(now, true).empty()) << "an answer makes room";
 }
 
+TEST_F(OutboxTest, ACoordinatorThatIsAwayDoesNotHoldUpAnother) {
+  Outbox bounded({.most_bytes_in_flight = 50'000});
+  for (std::uint64_t job = 0; job < 5; ++job) bounded.add({1, 0}, sweep, result(job, 1000), now);
+  ASSERT_FALSE(bounded.due(now, true).empty());
+  bounded.add({2, 0}, sweep, result(9, 1000), now);
+  const auto batches = bounded.due(now, true);
+  ASSERT_EQ(batches.size(), 1U);
+  EXPECT_EQ(batches[0].origin.database, (Id128{2, 0}));
+}
+
 TEST_F(OutboxTest, NewCoordinatorGetsEverythingAgainAtOnce) {
   outbox.add(database, sweep, result(1), now);
   outbox.add({5, 5}, sweep, result(2), now);
