@@ -30,7 +30,7 @@ class SameDigests(Programs):
         victim = self.start_worker()
         self.start_worker(dds="fastdds")
         self.lamprey("submit", self.sweep, *self.join, "--timeout", 30)
-        self.wait_until(lambda: self.jobs_stored(database) > self.jobs // 10, "a part of the sweep", self.patience)
+        self.wait_until(lambda: self.jobs_stored(database) > self.jobs // 2, "half of the sweep", self.patience)
         self.assertLess(self.jobs_stored(database), self.jobs, "the kill comes in mid-sweep")
         victim.kill()
         self.wait_for_end(database, self.patience)
