@@ -25,6 +25,23 @@ constexpr auto log_size_interval = std::chrono::seconds{10};
 constexpr std::size_t most_workers = 4'096;
 constexpr std::size_t most_clients = 64;
 
+void count(storage::JobState state, storage::JobCounts& counts) {
+  switch (state) {
+    case storage::JobState::done:
+      ++counts.done;
+      break;
+    case storage::JobState::failed:
+      ++counts.failed;
+      break;
+    case storage::JobState::quarantined:
+      ++counts.quarantined;
+      break;
+    case storage::JobState::cancelled:
+      ++counts.cancelled;
+      break;
+  }
+}
+
 }  // namespace
 
 Coordinator::Coordinator(messaging::Participant& participant, storage::ResultsStore store,
@@ -260,30 +277,17 @@ void Coordinator::commit(Clock::time_point now) {
 
 void Coordinator::after_commit(Clock::time_point now) {
   for (const auto& answer : answers_) {
-    if (!answer.commits) continue;
+    if (answer.acknowledgement.verdict != messaging::Verdict::committed) continue;
     ledger_.ended(answer.acknowledgement.sweep, answer.acknowledgement.job, answer.lease, answer.seconds);
   }
   acknowledge(answers_);
-  for (auto& [id, sweep] : sweeps_) {
-    for (const auto& row : batch_.jobs) {
-      if (row.sweep != sweep.stored.row) continue;
-      auto& counts = sweep.stored.counts;
-      switch (row.state) {
-        case storage::JobState::done:
-          ++counts.done;
-          break;
-        case storage::JobState::failed:
-          ++counts.failed;
-          break;
-        case storage::JobState::quarantined:
-          ++counts.quarantined;
-          break;
-        case storage::JobState::cancelled:
-          ++counts.cancelled;
-          break;
-      }
-    }
-    for (const auto& divergence : batch_.divergences) sweep.stored.divergences += divergence.sweep == sweep.stored.row;
+  std::map<std::int64_t, storage::Sweep*> by_row;
+  for (auto& [id, sweep] : sweeps_) by_row.emplace(sweep.stored.row, &sweep.stored);
+  for (const auto& row : batch_.jobs) {
+    if (const auto sweep = by_row.find(row.sweep); sweep != by_row.end()) count(row.state, sweep->second->counts);
+  }
+  for (const auto& divergence : batch_.divergences) {
+    if (const auto sweep = by_row.find(divergence.sweep); sweep != by_row.end()) ++sweep->second->divergences;
   }
   batch_ = {};
   answers_.clear();

@@ -49,7 +49,6 @@ class Coordinator {
     messaging::Acknowledgement acknowledgement;
     std::uint64_t lease = 0;
     double seconds = -1;
-    bool commits = false;  ///< the answer says committed, and the ledger learns it
   };
 
   // coordinator.cpp: life
@@ -79,7 +78,6 @@ class Coordinator {
                     const messaging::JobResult& result);
   void refuse(const messaging::Origin& origin, const Id128& sweep, const messaging::JobResult& result,
               const std::string& reason);
-  void stage(StagedAnswer answer);
   void acknowledge(const std::vector<StagedAnswer>& answers);
 
   // requests.cpp: the client's wishes

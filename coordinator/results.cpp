@@ -52,11 +52,10 @@ void Coordinator::take_result(const messaging::Origin& origin, const Id128& id, 
     spdlog::warn("job {} of sweep {} failed: {}", result.job, sweep.stored.what.name, result.reason);
   }
   batch_.jobs.push_back(std::move(*judgement.row));
-  stage({origin.worker,
-         {id, result.job, result.digest, messaging::Verdict::committed, {}},
-         result.lease,
-         batch_.jobs.back().seconds,
-         true});
+  answers_.push_back({origin.worker,
+                      {id, result.job, result.digest, messaging::Verdict::committed, {}},
+                      result.lease,
+                      batch_.jobs.back().seconds});
 }
 
 /// The job has ended already, or its row is about to be written: the same digest again is a duplicate, another one is
@@ -95,7 +94,7 @@ void Coordinator::answer_known(OpenSweep* sweep, std::int64_t row, const messagi
     batch_.divergences.push_back({row, result.job, *stored->digest, result.digest, origin.worker});
     event("divergence", origin.worker, answer.reason, row, result.job);
   }
-  stage({origin.worker, std::move(answer), result.lease, -1, false});
+  answers_.push_back({origin.worker, std::move(answer), result.lease, -1});
 }
 
 void Coordinator::refuse(const messaging::Origin& origin, const Id128& id, const messaging::JobResult& result,
@@ -111,11 +110,8 @@ void Coordinator::refuse(const messaging::Origin& origin, const Id128& id, const
     event("worker_refused", origin.worker, reaction.farewell->reason);
     send(origin.worker, std::move(*reaction.farewell));
   }
-  stage({origin.worker, {id, result.job, result.digest, messaging::Verdict::refused, reason}, result.lease, -1, false});
-}
-
-void Coordinator::stage(StagedAnswer answer) {
-  answers_.push_back(std::move(answer));
+  answers_.push_back(
+      {origin.worker, {id, result.job, result.digest, messaging::Verdict::refused, reason}, result.lease, -1});
 }
 
 void Coordinator::acknowledge(const std::vector<StagedAnswer>& answers) {
