@@ -3,22 +3,24 @@
 #include "science/maths/normal_deviate.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace lamprey::science::evolution {
 
 namespace {
 
-Unit draw_steps(const StepDistribution& distribution, const random::Words& words) {
-  Unit steps{};
+constexpr std::size_t genes_of_a_block = 4;
+using Steps = std::array<double, genes_of_a_block>;
+
+Steps draw_steps(const StepDistribution& distribution, const random::Words& words) {
+  Steps steps{};
   if (distribution.kind == StepDistribution::Kind::uniform) {
-    for (std::size_t gene = 0; gene < steps.size(); ++gene) {
-      steps[gene] = random::symmetric(words[gene], distribution.size);
-    }
+    for (std::size_t i = 0; i < steps.size(); ++i) steps[i] = random::symmetric(words[i], distribution.size);
   } else {
-    for (std::size_t gene = 0; gene < steps.size(); gene += 2) {
-      const auto [first, second] = maths::normal_deviates(words[gene], words[gene + 1]);
-      steps[gene] = first * distribution.standard_deviation;
-      steps[gene + 1] = second * distribution.standard_deviation;
+    for (std::size_t i = 0; i < steps.size(); i += 2) {
+      const auto [first, second] = maths::normal_deviates(words[i], words[i + 1]);
+      steps[i] = first * distribution.standard_deviation;
+      steps[i + 1] = second * distribution.standard_deviation;
     }
   }
   return steps;
@@ -27,12 +29,18 @@ Unit draw_steps(const StepDistribution& distribution, const random::Words& words
 }  // namespace
 
 void mutate(const random::Stream& stream, std::uint32_t cycle, MutationTechnique technique,
-            const StepDistribution& distribution, const GenePlan& plan, std::span<Unit> units) {
-  const auto mutate_unit = [&](std::size_t unit) {
-    const auto words = stream.block(cycle, random::Purpose::mutation, static_cast<std::uint32_t>(unit));
-    const Unit steps = draw_steps(distribution, words);
-    for (std::size_t gene = 0; gene < steps.size(); ++gene) {
-      units[unit][gene] = std::min(std::max(units[unit][gene] + steps[gene], plan.minimum), plan.maximum);
+            const StepDistribution& distribution, const GenePlan& plan, std::span<double> genes) {
+  const auto mutate_unit = [&](std::size_t number) {
+    const auto& unit = plan.units[number];
+    for (std::size_t first = 0; first < unit.size(); first += genes_of_a_block) {
+      const Steps steps =
+          draw_steps(distribution, stream.block(cycle, random::Purpose::mutation, static_cast<std::uint32_t>(number),
+                                                static_cast<std::uint32_t>(first / genes_of_a_block)));
+      const std::size_t count = std::min(unit.size() - first, genes_of_a_block);
+      for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t gene = unit[first + i];
+        genes[gene] = held(plan.genes[gene], genes[gene] + steps[i] * plan.genes[gene].step_unit);
+      }
     }
   };
   const auto choose = [&](std::size_t count) {
@@ -42,10 +50,10 @@ void mutate(const random::Stream& stream, std::uint32_t cycle, MutationTechnique
 
   switch (technique) {
     case MutationTechnique::all:
-      for (std::size_t unit = 0; unit < units.size(); ++unit) mutate_unit(unit);
+      for (std::size_t unit = 0; unit < plan.units.size(); ++unit) mutate_unit(unit);
       break;
     case MutationTechnique::one:
-      mutate_unit(choose(units.size()));
+      mutate_unit(choose(plan.units.size()));
       break;
     case MutationTechnique::some:
       for (const std::size_t unit : plan.symmetric_units[choose(plan.symmetric_units.size())]) mutate_unit(unit);

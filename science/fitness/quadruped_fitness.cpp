@@ -25,12 +25,12 @@ std::int32_t fuel_used(const QuadrupedCounts& counts) {
          1 * counts.moving_steps;                      // row 9
 }
 
-Fitness score(const QuadrupedCounts& counts, std::int32_t time_steps) {
+Fitness score(const QuadrupedCounts& counts, std::int32_t time_steps, double push_factor) {
   using enum robots::Support;
   const std::int32_t supported = steps_with(counts, three) + steps_with(counts, diagonal_pair) +
                                  steps_with(counts, side_pair) + steps_with(counts, front_or_back_pair);
   const std::int32_t stability = supported - counts.inclined_steps;
-  const double driven = flat_push_factor * (counts.front_pushes + 2 * counts.back_pushes);
+  const double driven = push_factor * (counts.front_pushes + 2 * counts.back_pushes);
   const double distance = driven - counts.drags;
   const std::int32_t fuel_left = std::max(0, initial_fuel - fuel_used(counts));
   return {.stability = 100.0 * stability / time_steps,

@@ -31,7 +31,7 @@ inline double total(const Fitness& fitness, const Weights& weights) {
 /// F_I of eq. 7.9, in units of fuel.
 inline constexpr int initial_fuel = 1000;
 
-/// How hard a push on the ground drives the body; 1 on flat terrain (rough terrain, 1.2, would lower it).
+/// How hard a push on the ground drives the body; rough terrain (1.2, robots::Terrain) lowers it.
 inline constexpr double flat_push_factor = 1;
 
 /// What happened in the steps of one evaluation. A value that starts at zero.
@@ -63,7 +63,8 @@ inline void count(QuadrupedCounts& counts, const robots::QuadrupedStep& step) {
 /// on the ground, as eq. 7.6 does. Row 6's formula takes two units and its text says five: the formula holds.
 std::int32_t fuel_used(const QuadrupedCounts& counts);
 
-/// Eqs 7.5, 7.7 and 7.9 after `time_steps` ≥ 1 steps. Fuel never falls below 0.
-Fitness score(const QuadrupedCounts& counts, std::int32_t time_steps);
+/// Eqs 7.5, 7.7 and 7.9 after `time_steps` ≥ 1 steps; the push factor scales D_FL and D_BL, not D_E. Fuel never falls
+/// below 0.
+Fitness score(const QuadrupedCounts& counts, std::int32_t time_steps, double push_factor = flat_push_factor);
 
 }  // namespace lamprey::science::fitness

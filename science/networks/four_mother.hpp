@@ -1,5 +1,7 @@
 #pragma once
 
+#include "science/networks/children.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -9,30 +11,6 @@ namespace lamprey::science::networks {
 
 // The network of 7.4.4 (fig. 7.23, second eq. 7.11): four mother neurons, each a clock, with two child neurons each,
 // left and right. A child drives one servo of the quadruped.
-
-enum Mother : std::uint8_t { front_vertical = 0, front_horizontal = 1, back_vertical = 2, back_horizontal = 3 };
-enum Side : std::uint8_t { left = 0, right = 1 };
-inline constexpr std::size_t mothers = 4;
-inline constexpr std::size_t children = 8;
-
-constexpr std::size_t child(std::size_t mother, std::size_t side) {
-  return 2 * mother + side;
-}
-
-inline constexpr std::array<std::uint8_t, 4> vertical_children{0, 1, 4, 5};
-inline constexpr std::array<std::uint8_t, 4> horizontal_children{2, 3, 6, 7};
-
-/// The children of the six pairs of legs that move together (4.2.2): front, back, left, right and the diagonals of
-/// front left and back right, and of front right and back left.
-inline constexpr std::array<std::array<std::uint8_t, 4>, 6> children_of_leg_pairs{
-    {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 2, 4, 6}, {1, 3, 5, 7}, {0, 2, 5, 7}, {1, 3, 4, 6}}};
-
-/// A child's times in time steps, in this order; reals within minimum_time..maximum_time.
-using ChildTimes = std::array<double, 4>;
-enum ChildTime : std::uint8_t { delay_before_on = 0, on_time = 1, delay_before_off = 2, off_time = 3 };
-
-inline constexpr double minimum_time = 0;
-inline constexpr double maximum_time = 100;
 
 /// A mother's times in time steps, in the same range. A mother whose link is off has a stopped clock: it makes no edge.
 struct MotherTimes {
@@ -49,9 +27,6 @@ struct FourMotherNetwork {
 
   bool operator==(const FourMotherNetwork&) const = default;
 };
-
-/// −1, 0 or +1 per child.
-using ChildOutputs = std::array<std::int16_t, children>;
 
 /// A network in whole time steps: 8.3.1 has a T_ON of 2.512 give two pulses, so every time is rounded down. A phase is
 /// open from floor(D) after its edge and for floor(T) steps.
@@ -83,11 +58,6 @@ struct FourMotherState {
   }
   bool operator==(const FourMotherState&) const = default;
 };
-
-/// 1 if first <= time < end, else 0; without a branch, so that a compiler can do it for all children at once.
-constexpr int within(std::int16_t time, std::int16_t first, std::int16_t end) {
-  return int{first <= time} & int{time < end};
-}
 
 /// One time step of eq. 7.11 (second). A mother fires for T_ON steps, then rests for T_OFF; its first rising edge is
 /// at the first step. An edge is a change of its output, so a mother with T_ON = 0 makes none, and one with T_OFF = 0

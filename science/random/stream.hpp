@@ -12,18 +12,24 @@ enum class Purpose : std::uint32_t {
   mutation_choice = 3,        ///< which children are mutated; index 0
   mutation = 4,               ///< by how much; index: child
   acceptance = 5,             ///< annealing's r; index 0
+  initial_genes = 6,          ///< genes drawn within their bounds; cycle: member of the population, index: gene / 4
+  selection = 7,              ///< who survives or mates; cycle: generation, index: the trainer's
+  crossover = 8,              ///< where and how parents mix; cycle: generation, index: pair or child
+  outside = 9,  ///< index 0: the seed of an optimiser from outside; index 1: the key of a hybrid's second trainer
 };
 
 using Words = std::array<std::uint32_t, 4>;
 
 /// One job's random numbers, addressed, not drawn: a block depends on the key and its address only, never on what was
 /// asked for before. Philox4x32-10 (J. K. Salmon et al., Parallel random numbers: as easy as 1, 2, 3, SC 2011): key
-/// words are the low and the high half of the key, counter words are {cycle, purpose, index, 0}. A value; any thread.
+/// words are the low and the high half of the key, counter words are {cycle, purpose, index, part}. A value; any
+/// thread.
 class Stream {
  public:
   explicit Stream(std::uint64_t key) : key_(key) {}
 
-  Words block(std::uint32_t cycle, Purpose purpose, std::uint32_t index) const;
+  /// `part` numbers the blocks of one address that needs more than four words.
+  Words block(std::uint32_t cycle, Purpose purpose, std::uint32_t index, std::uint32_t part = 0) const;
 
   std::uint64_t key() const { return key_; }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "science/robots/terrain.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -29,8 +31,10 @@ inline constexpr std::int16_t lowest_position = 0;
 inline constexpr std::int16_t highest_position = 30;
 inline constexpr std::int16_t standing_position = 10;
 
-/// Flat terrain: a foot at or below this vertical position reaches the ground; above it, it is lifted.
-inline constexpr std::int16_t flat_ground_level = 10;
+/// A foot at or below its ground level, a vertical position, reaches the ground; above it, it is lifted. By leg.
+using GroundLevels = std::array<std::int16_t, legs>;
+inline constexpr GroundLevels flat_ground = Terrain{}.ground_level;
+inline constexpr std::int16_t flat_ground_level = flat_ground[0];
 
 /// −1, 0 or +1 per servo for one time step.
 using ServoCommands = std::array<std::int16_t, servos>;
@@ -67,9 +71,8 @@ constexpr bool touches(std::int16_t vertical_before, std::int16_t vertical_after
   return std::max(vertical_before, vertical_after) <= ground_level;
 }
 
-/// One time step on flat ground with unit moves (eq. 7.2): each servo moves by its command; beyond a limit it stays
-/// there. Pure but for `robot`.
-inline QuadrupedStep step(Quadruped& robot, const ServoCommands& commands) {
+/// One time step (eq. 7.2): each servo moves by its command; beyond a limit it stays there. Pure but for `robot`.
+inline QuadrupedStep step(Quadruped& robot, const ServoCommands& commands, const GroundLevels& ground = flat_ground) {
   const auto before = robot.position;
   auto after = before;
   int beyond = 0;
@@ -91,7 +94,7 @@ inline QuadrupedStep step(Quadruped& robot, const ServoCommands& commands) {
   for (std::size_t leg = 0; leg < legs; ++leg) {
     const std::size_t vertical = vertical_servo(leg);
     const std::size_t horizontal = horizontal_servo(leg);
-    const bool on_ground = touches(before[vertical], after[vertical], flat_ground_level);
+    const bool on_ground = touches(before[vertical], after[vertical], ground[leg]);
     const int push = int{on_ground} & int{after[horizontal] < before[horizontal]};
     result.feet_on_ground |= static_cast<unsigned>(on_ground) << leg;
     (is_front(leg) ? result.front_pushes : result.back_pushes) += push;

@@ -1,7 +1,7 @@
 #include "science/evolution/mutation.hpp"
 
 #include "science/maths/normal_deviate.hpp"
-#include "science/networks/four_mother.hpp"
+#include "tests/science/evolution/plans.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,19 +15,17 @@ namespace lamprey::science::evolution {
 namespace {
 
 using Kind = StepDistribution::Kind;
-using Units = std::array<Unit, 8>;
 
 constexpr StepDistribution uniform_five{.kind = Kind::uniform, .size = 5};
 constexpr StepDistribution normal_five{.kind = Kind::normal, .standard_deviation = 5};
 /// Far from every bound, so that no step is cut off.
-const GenePlan wide{.minimum = -1000, .maximum = 1000, .symmetric_units = networks::children_of_leg_pairs};
+const GenePlan wide = eight_units(-1000, 1000);
 
 Units mutated(std::uint64_t key, std::uint32_t cycle, MutationTechnique technique, const StepDistribution& steps,
               const GenePlan& plan = wide, double start = 0) {
-  Units units;
-  units.fill({start, start, start, start});
-  mutate(random::Stream(key), cycle, technique, steps, plan, units);
-  return units;
+  std::vector<double> genes(32, start);
+  mutate(random::Stream(key), cycle, technique, steps, plan, genes);
+  return units_of(genes);
 }
 
 std::set<std::uint8_t> changed(const Units& units) {
@@ -93,7 +91,7 @@ TEST(Mutation, ASizeOfZeroChangesNothing) {
 }
 
 TEST(Mutation, GenesAreHeldWithinTheirBounds) {
-  const GenePlan plan{.minimum = 0, .maximum = 100, .symmetric_units = networks::children_of_leg_pairs};
+  const GenePlan plan = eight_units(0, 100);
   bool low = false;
   bool high = false;
   for (std::uint32_t cycle = 0; cycle < 50; ++cycle) {
@@ -140,7 +138,7 @@ TEST(MutateSome, ChangesTheFourChildrenOfOneOfTheSixPairsOfLegs) {
   }
   EXPECT_EQ(counts.size(), 6U);
   double chi_squared = 0;
-  for (const auto& pair : networks::children_of_leg_pairs) {
+  for (const auto& pair : wide.symmetric_units) {
     const int count = counts[std::set<std::uint8_t>(pair.begin(), pair.end())];
     EXPECT_GT(count, 0);
     chi_squared += (count - 1000.0) * (count - 1000.0) / 1000;
@@ -152,6 +150,27 @@ TEST(Mutation, OfACycleDoesNotDependOnTheCyclesBefore) {
   const Units alone = mutated(7, 41, MutationTechnique::some, normal_five);
   for (std::uint32_t cycle = 0; cycle < 41; ++cycle) mutated(7, cycle, MutationTechnique::all, uniform_five);
   EXPECT_EQ(mutated(7, 41, MutationTechnique::some, normal_five), alone);
+}
+
+TEST(Mutation, StepsAreScaledByTheGenesUnit) {
+  GenePlan tenths = wide;
+  for (Gene& gene : tenths.genes) gene.step_unit = 0.5;
+  const Units whole = mutated(8, 3, MutationTechnique::all, normal_five);
+  const Units halves = mutated(8, 3, MutationTechnique::all, normal_five, tenths);
+  for (std::size_t unit = 0; unit < 8; ++unit) {
+    for (std::size_t gene = 0; gene < 4; ++gene) EXPECT_EQ(halves[unit][gene], whole[unit][gene] / 2);
+  }
+}
+
+TEST(Mutation, AUnitOfManyGenesTakesFurtherBlocks) {
+  GenePlan plan = wide;
+  plan.units = {{0, 1, 2, 3, 4, 5, 6}, {7}};
+  std::vector<double> genes(32);
+  mutate(random::Stream(9), 5, MutationTechnique::all, uniform_five, plan, genes);
+  const auto further = random::Stream(9).block(5, random::Purpose::mutation, 0, 1);
+  for (std::size_t i = 4; i < 7; ++i) EXPECT_EQ(genes[i], random::symmetric(further[i - 4], 5));
+  EXPECT_EQ(genes[7], random::symmetric(random::Stream(9).block(5, random::Purpose::mutation, 1)[0], 5));
+  EXPECT_EQ(genes[8], 0) << "of no unit";
 }
 
 }  // namespace

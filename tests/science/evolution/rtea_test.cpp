@@ -12,46 +12,58 @@ namespace {
 
 using fitness::Fitness;
 
-/// A trial whose fitness is told beforehand, so that the loop can be followed by hand. Its body counts evaluations.
-struct ToldTrial {
-  struct Genome {
-    std::array<Unit, 2> genes{};
-    bool operator==(const Genome&) const = default;
-  };
-  struct Body {
-    int evaluations = 0;
-  };
+/// A problem whose fitness is told beforehand, so that the loop can be followed by hand. Its body counts evaluations.
+class ToldProblem final : public Problem {
+ public:
+  ToldProblem() {
+    plan_.genes.assign(8, {.minimum = -1e9, .maximum = 1e9});
+    plan_.units = {{0, 1, 2, 3}, {4, 5, 6, 7}};
+    plan_.kinds = {{0, 1}};
+  }
+  void tell(std::deque<Fitness> scores) { told_ = std::move(scores); }
+  bool has_told_all() const { return told_.empty(); }
 
-  std::deque<Fitness>* told;
-
-  Fitness evaluate(const Genome&, Body& body) const {
-    ++body.evaluations;
-    const Fitness next = told->front();
-    told->pop_front();
+  const GenePlan& plan() const override { return plan_; }
+  std::span<const double> preset() const override { return {}; }
+  Fitness evaluate(std::span<const double>, const fitness::Environment&, Body& body) const override {
+    body.put(body.get<int>() + 1);
+    const Fitness next = told_.front();
+    told_.pop_front();
     return next;
   }
-  static std::span<Unit> units(Genome& genome) { return genome.genes; }
-  static constexpr std::array<std::array<std::uint8_t, 4>, 1> symmetric_units{{{0, 1, 0, 1}}};
-  static constexpr double minimum_gene = -1e9;
-  static constexpr double maximum_gene = 1e9;
+  Fitness expected(const fitness::Environment&) const override { return {}; }
+  robots::Recording record(std::span<const double>, const fitness::Environment&, std::int32_t) const override {
+    return {};
+  }
+
+ private:
+  GenePlan plan_;
+  mutable std::deque<Fitness> told_;
 };
-static_assert(Trial<ToldTrial>);
 
 constexpr Fitness expected{.stability = 80, .distance = 60, .fuel = 83};
 const random::Stream stream(1);
 
 /// Reports of the cycles whose candidates score as told; the first of `told` is the initial state's.
 struct Trace {
-  std::deque<Fitness> told;
   std::vector<CycleReport> reports;
-  RteaState<ToldTrial> state;
+  RteaState state;
 
-  Trace(const Rtea& rtea, std::deque<Fitness> scores) : told(std::move(scores)) {
-    const ToldTrial trial{&told};
-    state = begin(rtea, trial, {});
-    while (!told.empty()) reports.push_back(advance(rtea, trial, expected, stream, state));
+  Trace(const RteaSettings& settings, std::deque<Fitness> scores, Objective objective = Objective::target) {
+    ToldProblem problem;
+    problem.tell(std::move(scores));
+    const Training training{
+        .problem = problem, .environment = {}, .objective = objective, .expected = expected, .stream = stream};
+    Rtea rtea(settings, std::vector<double>(8));
+    rtea.begin(training);
+    while (!problem.has_told_all()) rtea.advance(training, 1, reports);
+    state = rtea.state();
   }
 };
+
+int evaluations(const Trace& trace) {
+  return trace.state.body.get<int>();
+}
 
 TEST(RteaLoop, KeepsWhatIsCloserRestoresWhatIsNotAndComparesWithTheLastAccepted) {
   const Trace run({}, {{50, 50, 50}, {60, 50, 50}, {55, 50, 50}, {60, 50, 50}, {60, 55, 49}, {80, 60, 83}});
@@ -67,13 +79,13 @@ TEST(RteaLoop, KeepsWhatIsCloserRestoresWhatIsNotAndComparesWithTheLastAccepted)
 
 TEST(RteaLoop, ARejectedCandidateLeavesTheGenomeAsItWas) {
   const Trace rejected({}, {{50, 50, 50}, {40, 50, 50}});
-  EXPECT_EQ(rejected.state.genome, ToldTrial::Genome{});
+  EXPECT_EQ(rejected.state.genes, std::vector<double>(8));
   const Trace accepted({}, {{50, 50, 50}, {60, 50, 50}});
-  EXPECT_NE(accepted.state.genome, ToldTrial::Genome{});
+  EXPECT_NE(accepted.state.genes, std::vector<double>(8));
 }
 
 TEST(RteaLoop, TheTotalCriterionTradesOneComponentForAnother) {
-  const Rtea rtea{.criterion = Criterion::total};
+  const RteaSettings rtea{.criterion = Criterion::total};
   const Trace run(rtea, {{50, 50, 50}, {49, 52, 50}, {52, 49, 50}, {51, 49, 50}});
   EXPECT_TRUE(run.reports[0].success);
   EXPECT_TRUE(run.reports[1].accepted);
@@ -84,7 +96,7 @@ TEST(RteaLoop, TheTotalCriterionTradesOneComponentForAnother) {
 TEST(RteaLoop, MaximiseGoesBeyondTheExpectedFitnessAndTargetDoesNot) {
   const std::deque<Fitness> told{expected, {90, 70, 90}};
   EXPECT_FALSE(Trace({}, told).reports[0].accepted);
-  EXPECT_TRUE(Trace({.objective = Objective::maximise}, told).reports[0].success);
+  EXPECT_TRUE(Trace({}, told, Objective::maximise).reports[0].success);
 }
 
 TEST(RteaLoop, AnnealingKeepsSomeGrowingErrorsWithoutCallingThemSuccesses) {
@@ -102,7 +114,7 @@ TEST(RteaLoop, AnnealingKeepsSomeGrowingErrorsWithoutCallingThemSuccesses) {
 }
 
 TEST(RteaLoop, AnnealingKeepsASumThatDoesNotGrowWhateverItsComponentsDo) {
-  const Rtea rtea{.acceptance = Acceptance::annealing, .temperature = 1e-9};
+  const RteaSettings rtea{.acceptance = Acceptance::annealing, .temperature = 1e-9};
   const Trace run(rtea, {{50, 50, 50}, {49, 52, 50}, {49, 51, 50}});
   EXPECT_TRUE(run.reports[0].accepted);
   EXPECT_FALSE(run.reports[0].success);
@@ -117,41 +129,57 @@ TEST(RteaLoop, CoolingMultipliesTheTemperatureAfterEachCycle) {
 
 TEST(RteaLoop, ResetGivesEachCandidateANewBodyAndCarryTheSameOne) {
   const std::deque<Fitness> told(6, expected);
-  EXPECT_EQ(Trace({}, told).state.body.evaluations, 1);
-  EXPECT_EQ(Trace({.posture = Posture::carry}, told).state.body.evaluations, 6);
+  EXPECT_EQ(evaluations(Trace({}, told)), 1);
+  EXPECT_EQ(evaluations(Trace({.posture = Posture::carry}, told)), 6);
 }
 
 TEST(RteaLoop, CarryKeepsTheBodyThroughRejectedCandidates) {
   const Trace run({.posture = Posture::carry}, {{50, 50, 50}, {40, 50, 50}, {40, 50, 50}});
   EXPECT_FALSE(run.reports[0].accepted || run.reports[1].accepted);
-  EXPECT_EQ(run.state.body.evaluations, 3);
+  EXPECT_EQ(evaluations(run), 3);
 }
 
 TEST(RteaLoop, TheOneFifthRuleCountsSuccessesOnly) {
-  const Rtea rtea{.steps = Steps::one_fifth_rule, .one_fifth_rule = {.window = 4}};
+  const RteaSettings rtea{.steps = Steps::one_fifth_rule, .one_fifth_rule = {.window = 4}};
   EXPECT_EQ(Trace(rtea, std::deque<Fitness>(5, expected)).state.one_fifth.standard_deviation, 5 * 0.85)
       << "neutral moves are kept but are no successes";
   EXPECT_EQ(Trace(rtea, {{1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}, {5, 0, 0}}).state.one_fifth.standard_deviation,
             5 / 0.85);
 }
 
+TEST(RteaLoop, ANewEnvironmentIsMetByTryingTheLastAcceptedOnce) {
+  ToldProblem problem;
+  problem.tell({{50, 50, 50}, {60, 50, 50}, {20, 50, 50}, {30, 50, 50}});
+  const Training training{.problem = problem, .environment = {}, .expected = expected, .stream = stream};
+  Rtea rtea({}, std::vector<double>(8));
+  std::vector<CycleReport> reports;
+  rtea.begin(training);
+  rtea.advance(training, 1, reports);
+  const std::vector<double> accepted(rtea.genes().begin(), rtea.genes().end());
+  EXPECT_EQ(rtea.meet(training), (Fitness{20, 50, 50}));
+  EXPECT_EQ(rtea.state().cycle, 1U) << "meeting is no cycle";
+  EXPECT_EQ(std::vector<double>(rtea.genes().begin(), rtea.genes().end()), accepted);
+  rtea.advance(training, 1, reports);
+  EXPECT_TRUE(reports.back().success) << "30 is better than the 20 that the accepted state has here";
+}
+
 TEST(StepDistribution, FollowsTheKindOfSteps) {
   const OneFifthState one_fifth{.standard_deviation = 3.5};
   const Errors error{16, 0, 0};
   using Kind = evolution::StepDistribution::Kind;
-  Rtea rtea{.steps = Steps::uniform, .size = 7, .step_variance = StepVariance::root_error};
-  EXPECT_EQ(step_distribution(rtea, one_fifth, error).kind, Kind::uniform);
-  EXPECT_EQ(step_distribution(rtea, one_fifth, error).size, 7);
+  const Objective target = Objective::target;
+  RteaSettings rtea{.steps = Steps::uniform, .size = 7, .step_variance = StepVariance::root_error};
+  EXPECT_EQ(step_distribution(rtea, target, one_fifth, error).kind, Kind::uniform);
+  EXPECT_EQ(step_distribution(rtea, target, one_fifth, error).size, 7);
   rtea.steps = Steps::one_fifth_rule;
-  EXPECT_EQ(step_distribution(rtea, one_fifth, error).kind, Kind::normal);
-  EXPECT_EQ(step_distribution(rtea, one_fifth, error).standard_deviation, 3.5);
+  EXPECT_EQ(step_distribution(rtea, target, one_fifth, error).kind, Kind::normal);
+  EXPECT_EQ(step_distribution(rtea, target, one_fifth, error).standard_deviation, 3.5);
   rtea.steps = Steps::normal;
-  EXPECT_EQ(step_distribution(rtea, one_fifth, error).standard_deviation, 7);
-  rtea.objective = Objective::maximise;
-  EXPECT_EQ(step_distribution(rtea, one_fifth, error).standard_deviation, 3.5) << "there is no error to take a root of";
-  rtea.objective = Objective::target;
+  EXPECT_EQ(step_distribution(rtea, target, one_fifth, error).standard_deviation, 7);
+  EXPECT_EQ(step_distribution(rtea, Objective::maximise, one_fifth, error).standard_deviation, 3.5)
+      << "there is no error to take a root of";
   rtea.step_variance = StepVariance::constant;
-  EXPECT_EQ(step_distribution(rtea, one_fifth, error).standard_deviation, 3.5);
+  EXPECT_EQ(step_distribution(rtea, target, one_fifth, error).standard_deviation, 3.5);
 }
 
 }  // namespace

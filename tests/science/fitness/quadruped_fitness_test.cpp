@@ -113,6 +113,16 @@ TEST(Distance, MayBeNegative) {
   EXPECT_EQ(score(counts_of({{.feet_on_ground = all_feet, .drags = 4}}), 1).distance, -400);
 }
 
+TEST(Distance, ThePushFactorScalesPushesAndNotDrags) {
+  const auto counts = counts_of(
+      {{.feet_on_ground = all_feet, .front_pushes = 2, .back_pushes = 1, .drags = 1}, {.feet_on_ground = all_feet}});
+  EXPECT_EQ(score(counts, 2, 1).distance, 150);  // eq. 7.7: 100·(2 + 2 − 1)/2
+  EXPECT_EQ(score(counts, 2, 0.25).distance, 0);
+  EXPECT_EQ(score(counts, 2, 0).distance, -50);
+  EXPECT_EQ(score(counts, 2, 0.5).stability, score(counts, 2).stability);
+  EXPECT_EQ(score(counts, 2, 0.5).fuel, score(counts, 2).fuel);
+}
+
 TEST(Score, OfNothingIsPositiveZeroSoThatItsBitsAreOne) {
   const Fitness nothing = score(counts_of({{.feet_on_ground = all_feet}}), 1);
   EXPECT_FALSE(std::signbit(nothing.stability));

@@ -63,6 +63,22 @@ TEST(Contact, AFootPressedDownStaysOnTheGround) {
   EXPECT_EQ(step(robot, command(vertical_servo(back_left), 1)).feet_on_ground, all_feet);
 }
 
+TEST(Contact, EachLegHasAGroundLevelOfItsOwn) {
+  const GroundLevels ground{9, 10, 11, 30};
+  Quadruped robot = standing();
+  EXPECT_EQ(step(robot, {}, ground).feet_on_ground, 0b1110U) << "there is a hole under the front left leg";
+  step(robot, {-1, 1, 0, 0, 1, 1, 0, 0}, ground);
+  EXPECT_EQ(step(robot, {}, ground).feet_on_ground, 0b1101U) << "which now reaches its bottom; front right is lifted";
+}
+
+TEST(Contact, WithoutAGroundThatIsGivenItIsFlat) {
+  Quadruped given = standing();
+  Quadruped not_given = standing();
+  const ServoCommands commands{1, 0, -1, -1, 0, 0, 1, -1};
+  EXPECT_EQ(step(given, commands, flat_ground), step(not_given, commands));
+  EXPECT_EQ(flat_ground, (GroundLevels{10, 10, 10, 10}));
+}
+
 TEST(Inclination, CountsTouchingFeetThatEndAtDifferentHeights) {
   Quadruped robot = standing();
   EXPECT_TRUE(step(robot, command(vertical_servo(front_left), -1)).inclined);
