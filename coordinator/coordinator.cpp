@@ -66,6 +66,7 @@ Coordinator::Coordinator(messaging::Participant& participant, storage::ResultsSt
       log_size_due_(now),
       last_step_(now),
       database_path_(std::filesystem::absolute(store_.path()).string()) {
+  if (!store_.migration().empty()) spdlog::info("{} was brought up to date: {}", store_.path(), store_.migration());
   event("coordinator_started", 0, "epoch " + std::to_string(store_.epoch()) + ", over " + participant.vendor());
   for (const auto& stored : store_.sweeps()) {
     if (stored.state == storage::SweepState::running || stored.state == storage::SweepState::cancelling) {
@@ -227,7 +228,7 @@ void Coordinator::quarantine(const QuarantinedJob& job) {
   batch_.jobs.push_back(quarantined_row(sweep->second, job.job, job.attempts, job.worker, job.reason));
   event("job_quarantined", job.worker, job.reason, sweep->second.stored.row, job.job);
   staged_.emplace(std::pair(job.sweep, job.job),
-                  storage::ResultsStore::StoredJob{storage::JobState::quarantined, std::nullopt});
+                  storage::ResultsStore::StoredJob{storage::JobState::quarantined, std::nullopt, job.worker});
   ledger_.ended(job.sweep, job.job, 0, -1);
 }
 

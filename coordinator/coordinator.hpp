@@ -76,6 +76,9 @@ class Coordinator {
   void take_result(const messaging::Origin& origin, const Id128& sweep, messaging::JobResult result);
   void answer_known(OpenSweep* sweep, std::int64_t row, const messaging::Origin& origin, const Id128& id,
                     const messaging::JobResult& result);
+  bool must_agree(const OpenSweep* sweep, const Id128& id, std::uint64_t job, std::uint64_t worker,
+                  std::uint64_t other) const;
+  std::optional<std::string> build_of(std::uint64_t worker) const;
   void refuse(const messaging::Origin& origin, const Id128& sweep, const messaging::JobResult& result,
               const std::string& reason);
   void acknowledge(const std::vector<StagedAnswer>& answers);

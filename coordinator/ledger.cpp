@@ -299,6 +299,12 @@ std::vector<Ledger::WorkerView> Ledger::workers() const {
   return list;
 }
 
+std::optional<std::string> Ledger::build_of(std::uint64_t worker) const {
+  const auto found = workers_.find(worker);
+  if (found == workers_.end()) return std::nullopt;
+  return found->second.status.build;
+}
+
 bool Ledger::is_open(const Id128& id, std::uint64_t job) const {
   const auto found = sweeps_.find(id);
   if (found == sweeps_.end()) return false;

@@ -88,6 +88,9 @@ class Ledger {
 
   bool knows(std::uint64_t worker) const { return workers_.contains(worker); }
 
+  /// The build that a worker of now reports; nothing of others.
+  std::optional<std::string> build_of(std::uint64_t worker) const;
+
   struct WorkerView {
     const messaging::WorkerStatus* status;
     std::size_t leases;

@@ -11,6 +11,11 @@ namespace {
 
 constexpr auto rate_window = std::chrono::seconds{10};
 
+/// More measures are nothing a worker of ours sends: one per accepted change, up to three per change of the environment
+/// or the gait, which is one per cycle at most, and some of the whole run.
+constexpr std::uint64_t measures_per_cycle = 4;
+constexpr std::uint64_t other_measures = 64;
+
 bool finite(const experiment::Score& score) {
   return std::isfinite(score.stability) && std::isfinite(score.distance) && std::isfinite(score.fuel) &&
          std::isfinite(score.total);
@@ -34,7 +39,12 @@ std::string outcome_fault(const experiment::Outcome& outcome, std::int64_t cycle
     if (change.cycle <= previous || change.cycle >= cycles) return "the cycles of its trace are out of order or range";
     previous = change.cycle;
   }
-  return {};
+  const std::uint64_t most_measures = other_measures + measures_per_cycle * static_cast<std::uint64_t>(cycles);
+  if (outcome.measures.size() > most_measures) {
+    return "it has " + std::to_string(outcome.measures.size()) + " measures, at most " + std::to_string(most_measures) +
+           " are possible";
+  }
+  return experiment::measures_fault(outcome.measures);
 }
 
 storage::EndedJob head(const OpenSweep& sweep, const experiment::Job& job) {

@@ -34,7 +34,8 @@ struct OpenSweep {
 };
 
 /// What a result must fulfil to be stored: it belongs to this sweep and science version, has the job's identity, finite
-/// values, a trace that fits its counters and the digest that it claims. Returns the row, or why it is refused.
+/// values, a trace that fits its counters, well-formed measures and the digest that it claims. Returns the row, or why
+/// it is refused.
 struct Judgement {
   std::optional<storage::EndedJob> row;
   std::string refusal;

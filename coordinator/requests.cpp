@@ -276,6 +276,7 @@ idl::Reply Coordinator::stored_job(const idl::StoredJobRequest& request) {
   stored->set_state(to_text(job->state));
   if (job->digest) stored->set_digest(experiment::to_hex(*job->digest));
   stored->set_science_version(sweep->science_version);
+  stored->set_build(build_of(job->worker).value_or(""));
   return reply;
 }
 

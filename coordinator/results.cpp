@@ -1,5 +1,6 @@
 // Results in, acknowledgements out: nothing is acknowledged before it is durable, and every result gets an answer.
 #include "coordinator/coordinator.hpp"
+#include "experiment/models.hpp"
 
 #include <algorithm>
 #include <spdlog/spdlog.h>
@@ -13,6 +14,17 @@ namespace {
 constexpr std::size_t answers_per_sample = 400;
 
 constexpr const char* cancelled_job = "the job was cancelled";
+
+/// The jobs of a sweep that has ended; nothing if its specification is no longer valid.
+std::shared_ptr<const experiment::SweepGrid> stored_grid(const std::optional<storage::Sweep>& sweep) {
+  idl::SweepSpecification specification;
+  if (!sweep || !specification.ParseFromString(sweep->what.specification)) return nullptr;
+  try {
+    return std::make_shared<const experiment::SweepGrid>(specification);
+  } catch (const experiment::InvalidInput&) {
+    return nullptr;
+  }
+}
 
 }  // namespace
 
@@ -47,7 +59,7 @@ void Coordinator::take_result(const messaging::Origin& origin, const Id128& id, 
   judgement.row->attempt = ledger_.attempts(id, result.job) + 1;
   staged_bytes_ += messaging::wire_bytes(result);
   staged_.emplace(std::pair(id, result.job),
-                  storage::ResultsStore::StoredJob{judgement.row->state, judgement.row->digest});
+                  storage::ResultsStore::StoredJob{judgement.row->state, judgement.row->digest, origin.worker});
   if (judgement.row->state == storage::JobState::failed) {
     spdlog::warn("job {} of sweep {} failed: {}", result.job, sweep.stored.what.name, result.reason);
   }
@@ -85,7 +97,12 @@ void Coordinator::answer_known(OpenSweep* sweep, std::int64_t row, const messagi
     }
   }
   messaging::Acknowledgement answer{id, result.job, result.digest, messaging::Verdict::duplicate, {}};
-  if (result.kind == messaging::ResultKind::done && *stored->digest != result.digest) {
+  const bool differs = result.kind == messaging::ResultKind::done && *stored->digest != result.digest;
+  if (differs && !must_agree(sweep, id, result.job, stored->worker, origin.worker)) {
+    answer.reason = "another digest is stored, of another build, with which it need not agree";
+    spdlog::info("job {} of sweep {}: worker {:016x} has another digest than is stored, but also another build",
+                 result.job, experiment::to_hex(id), origin.worker);
+  } else if (differs) {
     answer.verdict = messaging::Verdict::divergent;
     answer.reason = "stored with digest " + experiment::to_hex(*stored->digest);
     spdlog::error("DIVERGENCE: job {} of sweep {} has digest {}, worker {:016x} computed {}", result.job,
@@ -95,6 +112,24 @@ void Coordinator::answer_known(OpenSweep* sweep, std::int64_t row, const messagi
     event("divergence", origin.worker, answer.reason, row, result.job);
   }
   answers_.push_back({origin.worker, std::move(answer), result.lease, -1});
+}
+
+/// Whether two workers' digests of a job have to be the same: those of a bitwise repeatable one always, those of a job
+/// that only the same build repeats if both are known to be of one, those of a robot never.
+bool Coordinator::must_agree(const OpenSweep* sweep, const Id128& id, std::uint64_t job, std::uint64_t worker,
+                             std::uint64_t other) const {
+  using experiment::Repeatability;
+  const auto grid = sweep != nullptr ? sweep->grid : stored_grid(find_sweep(experiment::to_hex(id)));
+  if (grid == nullptr || job >= grid->jobs()) return true;
+  const auto repeatability = experiment::repeatability(grid->job(job).parameters);
+  if (repeatability != Repeatability::same_build) return repeatability == Repeatability::bitwise;
+  const auto build = build_of(worker);
+  return build && build == build_of(other);
+}
+
+std::optional<std::string> Coordinator::build_of(std::uint64_t worker) const {
+  if (auto build = ledger_.build_of(worker)) return build;
+  return store_.build_of(worker);
 }
 
 void Coordinator::refuse(const messaging::Origin& origin, const Id128& id, const messaging::JobResult& result,

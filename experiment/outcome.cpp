@@ -1,8 +1,11 @@
 #include "experiment/outcome.hpp"
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <concepts>
 #include <string_view>
+#include <tuple>
 
 namespace lamprey::experiment {
 
@@ -34,7 +37,29 @@ class ByteText {
   std::vector<std::uint8_t> bytes_;
 };
 
+bool is_measure_name(std::string_view name) {
+  return !name.empty() && name.size() <= maximum_measure_name &&
+         std::ranges::all_of(name, [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; });
+}
+
 }  // namespace
+
+std::string measures_fault(std::span<const Measure> measures) {
+  const Measure* previous = nullptr;
+  for (const Measure& measure : measures) {
+    if (!is_measure_name(measure.name)) {
+      return "the name of a measure is not 1 to " + std::to_string(maximum_measure_name) + " of a-z, 0-9 and _";
+    }
+    const std::string which = "the measure " + measure.name + " " + std::to_string(measure.index);
+    if (!std::isfinite(measure.value)) return which + " is not a finite number";
+    if (measure.value == 0 && std::signbit(measure.value)) return which + " is a negative zero";
+    if (previous != nullptr && std::tie(previous->name, previous->index) >= std::tie(measure.name, measure.index)) {
+      return which + " comes twice or is out of order";
+    }
+    previous = &measure;
+  }
+  return {};
+}
 
 Digest outcome_digest(const Digest& identity, const Outcome& outcome) {
   constexpr std::size_t fixed_size = 18 + 32 + 5 * 32 + 3 * 4 + 8;
@@ -56,6 +81,14 @@ Digest outcome_digest(const Digest& identity, const Outcome& outcome) {
   for (const AcceptedChange& change : outcome.trace) {
     text.append(change.cycle);
     text.append(change.score);
+  }
+  // Only where there are any: digests of jobs without are older than measures.
+  if (!outcome.measures.empty()) text.append(static_cast<std::uint32_t>(outcome.measures.size()));
+  for (const Measure& measure : outcome.measures) {
+    text.append(static_cast<std::uint32_t>(measure.name.size()));
+    text.append(std::string_view(measure.name));
+    text.append(measure.index);
+    text.append(measure.value);
   }
   return sha256(text.bytes());
 }

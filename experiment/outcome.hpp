@@ -2,7 +2,10 @@
 
 #include "experiment/identifiers.hpp"
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
+#include <string>
 #include <vector>
 
 namespace lamprey::experiment {
@@ -25,6 +28,19 @@ struct AcceptedChange {
   bool operator==(const AcceptedChange&) const = default;
 };
 
+/// The longest name of a measure.
+inline constexpr std::size_t maximum_measure_name = 64;
+
+/// A number that only some jobs have: recovery after a change of environment, failures before a change of gait, the
+/// variation of the parameters. docs/formats/measures.md lists the names.
+struct Measure {
+  std::string name;         ///< [a-z_0-9]+, at most maximum_measure_name characters
+  std::uint32_t index = 0;  ///< of the change, cycle or generation that it is about; unique per name
+  double value = 0;         ///< finite, not −0
+
+  bool operator==(const Measure&) const = default;
+};
+
 /// What a finished job is stored as. Every field is deterministic and covered by the digest.
 struct Outcome {
   Score expected;  ///< of the undisturbed gait
@@ -37,9 +53,13 @@ struct Outcome {
   std::uint32_t successes = 0;        ///< mutations that the criterion calls better than the last accepted state
   double success_rate = 0;            ///< eq. 8.1: successes / cycles
   std::vector<AcceptedChange> trace;  ///< in order of cycle
+  std::vector<Measure> measures{};    ///< sorted by name and index; empty for most jobs
 
   bool operator==(const Outcome&) const = default;
 };
+
+/// What is wrong with a job's measures: a name, a value, their order; empty if nothing is.
+std::string measures_fault(std::span<const Measure> measures);
 
 /// SHA-256 over the identity and every field of the outcome (docs/formats/digest.md). Equal digests, equal bits.
 Digest outcome_digest(const Digest& identity, const Outcome& outcome);

@@ -11,10 +11,16 @@ namespace {
 // CDR sizes after idl/lamprey.idl, rounded up for alignment.
 constexpr std::size_t result_head_bytes = 384;
 constexpr std::size_t change_bytes = sizeof(std::uint32_t) + 4 * sizeof(double);
+/// Of a measure without its name: the name's length and end, index, value.
+constexpr std::size_t measure_head_bytes = 32;
 /// Of a sample, for the batch's own head and the protocol's.
 constexpr std::size_t reserved_bytes = 512;
-/// Beyond it a fragmented trace is nothing a worker of ours sends.
+/// Beyond it a fragmented result is nothing a worker of ours sends.
 constexpr std::uint32_t most_fragments = 16384;
+
+std::size_t wire_bytes(const experiment::Measure& measure) {
+  return measure_head_bytes + measure.name.size();
+}
 
 bool possible(const JobResult& fragment) {
   return fragment.fragments >= 1 && fragment.fragments <= most_fragments && fragment.fragment < fragment.fragments;
@@ -28,24 +34,34 @@ bool agree(const JobResult& a, const JobResult& b) {
 }  // namespace
 
 std::size_t wire_bytes(const JobResult& result) {
-  return result_head_bytes + result.reason.size() + change_bytes * result.outcome.trace.size();
+  std::size_t bytes = result_head_bytes + result.reason.size() + change_bytes * result.outcome.trace.size();
+  for (const auto& measure : result.outcome.measures) bytes += wire_bytes(measure);
+  return bytes;
 }
 
 std::vector<JobResult> fragments(const JobResult& whole) {
   JobResult head = whole;
   head.outcome.trace.clear();
+  head.outcome.measures.clear();
   head.reason.resize(std::min(head.reason.size(), maximum_reason_bytes));
-  const std::size_t rows = whole.outcome.trace.size();
-  const std::size_t rows_per_fragment = (maximum_sample_bytes - reserved_bytes - wire_bytes(head)) / change_bytes;
-  const std::size_t count = std::max<std::size_t>(1, (rows + rows_per_fragment - 1) / rows_per_fragment);
-  head.fragments = static_cast<std::uint32_t>(count);
+  const std::size_t capacity = maximum_sample_bytes - reserved_bytes - wire_bytes(head);
 
-  std::vector<JobResult> parts(count, head);
-  for (std::size_t part = 0; part < count; ++part) {
-    const auto first = std::next(whole.outcome.trace.begin(), static_cast<std::ptrdiff_t>(part * rows_per_fragment));
-    const std::size_t size = std::min(rows_per_fragment, rows - part * rows_per_fragment);
+  std::vector<JobResult> parts{head};
+  std::size_t used = 0;
+  const auto part_for = [&](std::size_t bytes) -> experiment::Outcome& {
+    if (used + bytes > capacity) {
+      parts.push_back(head);
+      used = 0;
+    }
+    used += bytes;
+    return parts.back().outcome;
+  };
+  for (const auto& change : whole.outcome.trace) part_for(change_bytes).trace.push_back(change);
+  for (const auto& measure : whole.outcome.measures) part_for(wire_bytes(measure)).measures.push_back(measure);
+
+  for (std::size_t part = 0; part < parts.size(); ++part) {
     parts[part].fragment = static_cast<std::uint32_t>(part);
-    parts[part].outcome.trace.assign(first, std::next(first, static_cast<std::ptrdiff_t>(size)));
+    parts[part].fragments = static_cast<std::uint32_t>(parts.size());
   }
   return parts;
 }
@@ -83,10 +99,10 @@ JobResult Assembler::take(Partials::iterator position) {
   auto& parts = position->second.parts;
   JobResult whole = std::move(parts.begin()->second);
   whole.fragments = 1;
-  auto& trace = whole.outcome.trace;
+  const auto append = [](auto& all, const auto& slice) { all.insert(all.end(), slice.begin(), slice.end()); };
   for (auto part = std::next(parts.begin()); part != parts.end(); ++part) {
-    const auto& slice = part->second.outcome.trace;
-    trace.insert(trace.end(), slice.begin(), slice.end());
+    append(whole.outcome.trace, part->second.outcome.trace);
+    append(whole.outcome.measures, part->second.outcome.measures);
   }
   drop(position);
   return whole;

@@ -56,6 +56,8 @@ std::optional<std::string> limit_violation(const ResultBatch& sample) {
   check.elements("results", sample.results.size());
   for (const auto& result : sample.results) {
     check.elements("results.outcome.trace", result.outcome.trace.size());
+    check.elements("results.outcome.measures", result.outcome.measures.size());
+    for (const auto& measure : result.outcome.measures) check.text("results.outcome.measures.name", measure.name);
     check.text("results.reason", result.reason);
   }
   return std::move(check).violation();

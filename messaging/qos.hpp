@@ -36,42 +36,42 @@ struct Topic;
 
 template <>
 struct Topic<WorkerStatus> {
-  static constexpr std::string_view name = "lamprey/1/worker_status";
+  static constexpr std::string_view name = "lamprey/2/worker_status";
   static constexpr QosProfile profile = qos::status;
 };
 template <>
 struct Topic<SweepSpecification> {
-  static constexpr std::string_view name = "lamprey/1/sweep_specification";
+  static constexpr std::string_view name = "lamprey/2/sweep_specification";
   static constexpr QosProfile profile = qos::specification;
 };
 template <>
 struct Topic<Lease> {
-  static constexpr std::string_view name = "lamprey/1/lease";
+  static constexpr std::string_view name = "lamprey/2/lease";
   static constexpr QosProfile profile = qos::lease;
 };
 template <>
 struct Topic<ResultBatch> {
-  static constexpr std::string_view name = "lamprey/1/result";
+  static constexpr std::string_view name = "lamprey/2/result";
   static constexpr QosProfile profile = qos::result;
 };
 template <>
 struct Topic<ResultAcknowledgement> {
-  static constexpr std::string_view name = "lamprey/1/result_acknowledgement";
+  static constexpr std::string_view name = "lamprey/2/result_acknowledgement";
   static constexpr QosProfile profile = qos::acknowledgement;
 };
 template <>
 struct Topic<Request> {
-  static constexpr std::string_view name = "lamprey/1/request";
+  static constexpr std::string_view name = "lamprey/2/request";
   static constexpr QosProfile profile = qos::request;
 };
 template <>
 struct Topic<Reply> {
-  static constexpr std::string_view name = "lamprey/1/reply";
+  static constexpr std::string_view name = "lamprey/2/reply";
   static constexpr QosProfile profile = qos::reply;
 };
 template <>
 struct Topic<SweepProgress> {
-  static constexpr std::string_view name = "lamprey/1/sweep_progress";
+  static constexpr std::string_view name = "lamprey/2/sweep_progress";
   static constexpr QosProfile profile = qos::progress;
 };
 

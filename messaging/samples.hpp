@@ -100,8 +100,8 @@ struct Lease {
 
 enum class ResultKind : std::uint8_t { done = 0, failed = 1 };
 
-/// One job's end, or a part of it: a long trace is cut over several fragments (fragmentation.hpp), each with the same
-/// head and its own slice of the trace; it is committed whole or not at all.
+/// One job's end, or a part of it: a long trace and long measures are cut over several fragments (fragmentation.hpp),
+/// each with the same head and its own slice of them; it is committed whole or not at all.
 struct JobResult {
   std::uint64_t job = 0;
   ResultKind kind = ResultKind::done;
@@ -110,7 +110,7 @@ struct JobResult {
   std::uint32_t fragments = 1;
   Digest identity{};
   Digest digest{};              ///< of the whole outcome; zero for a failed job
-  experiment::Outcome outcome;  ///< trace: this fragment's slice
+  experiment::Outcome outcome;  ///< trace, measures: this fragment's slice
   double seconds = 0;           ///< of computation
   std::string reason;           ///< of a failure
   bool operator==(const JobResult&) const = default;

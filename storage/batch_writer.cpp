@@ -11,8 +11,8 @@ namespace lamprey::storage {
 
 namespace {
 
-/// More memory than this isn't kept for the next trace.
-constexpr std::size_t kept_trace_bytes = 1 << 20;
+/// More memory than this isn't kept for the next trace or the next measures.
+constexpr std::size_t kept_text_bytes = 1 << 20;
 
 std::string insert_job_sql() {
   const std::string columns = job_columns();
@@ -105,6 +105,9 @@ void BatchWriter::write(const EndedJob& job, Increases& increases) {
                                                              ", job " + std::to_string(job.job) + ": " + why);
   };
   if (job.outcome && !is_finite(*job.outcome)) refuse("a score is not finite");
+  if (job.outcome) {
+    if (const auto fault = experiment::measures_fault(job.outcome->measures); !fault.empty()) refuse(fault);
+  }
 
   insert_job_.reset();  // a binding that failed would leave those before it
   int index = 0;
@@ -134,8 +137,10 @@ void BatchWriter::write(const EndedJob& job, Increases& increases) {
     next(outcome.success_rate);
     write_trace(outcome.trace, trace_text_);
     next(std::string_view(trace_text_));
+    write_measures(outcome.measures, measures_text_);
+    next(outcome.measures.empty() ? std::nullopt : std::optional<std::string_view>(measures_text_));
   } else {
-    index += static_cast<int>(job_scores().size() * score_parts().size()) + 5;  // unbound is NULL
+    index += static_cast<int>(job_scores().size() * score_parts().size()) + 6;  // unbound is NULL
   }
   next(now_);
   try {
@@ -144,7 +149,9 @@ void BatchWriter::write(const EndedJob& job, Increases& increases) {
     throw StorageError(error.kind(), std::string(error.what()) + " (sweep " + std::to_string(job.sweep) + ", job " +
                                          std::to_string(job.job) + ")");
   }
-  if (trace_text_.capacity() > kept_trace_bytes) std::string().swap(trace_text_);
+  for (auto* text : {&trace_text_, &measures_text_}) {
+    if (text->capacity() > kept_text_bytes) std::string().swap(*text);
+  }
   ++counter(increases[job.sweep].counts, job.state);
 }
 

@@ -44,6 +44,7 @@ class BatchWriter {
   Statement add_counts_;
   Statement finish_;
   std::string trace_text_;  ///< kept between jobs for its memory
+  std::string measures_text_;
 };
 
 }  // namespace lamprey::storage

@@ -192,8 +192,7 @@ FileContent inspect(const std::string& path, const std::string& vfs) {
 Connection open_for_reading(const std::string& path, const std::string& vfs) {
   Connection connection(path, SQLITE_OPEN_READONLY, vfs);
   connection.execute("PRAGMA query_only = ON");
-  Statement version(connection, "PRAGMA user_version");
-  const int stored = version.step() ? static_cast<int>(version.integer(0)) : 0;
+  const int stored = stored_schema_version(connection);
   if (stored > schema_version) {
     throw StorageError(Kind::newer_schema, path + ": was written by a later Lamprey (schema version " +
                                                std::to_string(stored) + ", this program knows up to " +
@@ -204,6 +203,11 @@ Connection open_for_reading(const std::string& path, const std::string& vfs) {
     throw StorageError(Kind::not_a_database, path + ": lacks the tables of a Lamprey database");
   }
   return connection;
+}
+
+std::string older_schema_text(int version) {
+  return "has schema version " + std::to_string(version) + ", this program's is " + std::to_string(schema_version) +
+         ": start lamprey-coordinator --database on it once, which brings it up to date";
 }
 
 Connection open_existing(const std::string& path) {

@@ -22,6 +22,9 @@ FileContent inspect(const std::string& path, const std::string& vfs);
 /// not_a_database (tables missing), corrupt.
 Connection open_for_reading(const std::string& path, const std::string& vfs);
 
+/// "has schema version 1 …" and what to do about it, for messages.
+std::string older_schema_text(int version);
+
 /// The same for whoever only reads: refuses also what doesn't exist (missing) or is empty (not_a_database).
 Connection open_existing(const std::string& path);
 

@@ -11,6 +11,9 @@ namespace lamprey::storage {
 
 namespace {
 
+/// cycles_run, accepted, successes, success_rate, trace, measures.
+constexpr int outcome_columns_after_scores = 6;
+
 /// Reads columns one after the other and notes what has the wrong type or value.
 class RowReader {
  public:
@@ -45,6 +48,10 @@ class RowReader {
     ++column_;
     return digest;
   }
+
+  /// The text, without passing over it.
+  std::string_view peek_text() const { return row_.text(column_); }
+  void skip() { ++column_; }
 
   /// Whether the column holds NULL; if so, it is passed over.
   bool null() {
@@ -84,13 +91,27 @@ experiment::Outcome read_outcome(RowReader& reader) {
   return outcome;
 }
 
-void read_trace_column(RowReader& reader, const std::string_view stored, experiment::Outcome& outcome) {
-  auto trace = read_trace(stored);
-  if (!trace) return reader.note("the stored text is not a trace");
+/// A column of JSON that has exactly one text for each value: what is read from it, written again, must give it back.
+template <typename Rows, typename Write>
+void read_json_column(RowReader& reader, const std::optional<std::vector<Rows>>& rows, const Write& write,
+                      std::vector<Rows>& to) {
+  if (!rows) return reader.note("the stored text is not a list of its rows");
   std::string canonical;
-  write_trace(*trace, canonical);
-  if (canonical != stored) return reader.note("the stored text is not in canonical form");
-  outcome.trace = std::move(*trace);
+  write(*rows, canonical);
+  if (canonical != reader.peek_text()) return reader.note("the stored text is not in canonical form");
+  to = *rows;
+}
+
+void read_trace_column(RowReader& reader, experiment::Outcome& outcome) {
+  read_json_column(reader, read_trace(reader.peek_text()), write_trace, outcome.trace);
+  reader.skip();
+}
+
+void read_measures_column(RowReader& reader, experiment::Outcome& outcome) {
+  if (reader.null()) return;
+  read_json_column(reader, read_measures(reader.peek_text()), write_measures, outcome.measures);
+  if (reader.peek_text() == "[]") reader.note("an empty list is stored instead of nothing");
+  reader.skip();
 }
 
 }  // namespace
@@ -122,13 +143,14 @@ const std::vector<ScorePart>& score_parts() {
   return parts;
 }
 
-std::string job_columns() {
+std::string job_columns(int version) {
   std::string list =
       "sweep, job, state, identity, digest, attempt, worker, seconds, reason, seed, replicate, parameters";
   for (const auto& score : job_scores()) {
     for (const auto& part : score_parts()) list += ", " + score.prefix + "_" + part.name;
   }
-  return list + ", cycles_run, accepted, successes, success_rate, trace";
+  list += ", cycles_run, accepted, successes, success_rate, trace";
+  return list + (version < first_version_with_measures ? ", NULL AS measures" : ", measures");
 }
 
 StoredJobRow read_job_row(const Statement& row) {
@@ -153,9 +175,10 @@ StoredJobRow read_job_row(const Statement& row) {
   const int scores = static_cast<int>(job_scores().size() * score_parts().size());
   if (job.state == JobState::done) {
     job.outcome = read_outcome(reader);
-    read_trace_column(reader, row.text(row.columns() - 1), *job.outcome);
+    read_trace_column(reader, *job.outcome);
+    read_measures_column(reader, *job.outcome);
   } else {
-    reader.nulls(scores + 5);
+    reader.nulls(scores + outcome_columns_after_scores);
   }
   return stored;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "storage/results_store.hpp"
+#include "storage/schema.hpp"
 #include "storage/statement.hpp"
 
 #include <optional>
@@ -25,8 +26,9 @@ struct ScorePart {
 };
 const std::vector<ScorePart>& score_parts();
 
-/// Names of the columns of `job`, in order, between commas.
-std::string job_columns();
+/// Names of the columns of `job`, in order, between commas; of a database of an older version, with NULL for those that
+/// it lacks.
+std::string job_columns(int version = schema_version);
 
 /// The inverse of to_text(JobState).
 std::optional<JobState> job_state(std::string_view text);

@@ -19,6 +19,15 @@ Connection open_for_queries(const std::string& path) {
   return connection;
 }
 
+/// A database of an older version lacks columns and views that people read of.
+[[noreturn]] void fail_to_prepare(const Connection& connection, int code, const std::string& sql) {
+  const std::string why = sqlite3_errmsg(connection.handle()) + std::string(" (SQLite ") + std::to_string(code) + ")";
+  const int version = stored_schema_version(connection);
+  if (version == schema_version) throw StorageError(error_kind(code), connection.path() + ": " + sql + ": " + why);
+  throw StorageError(error_kind(code),
+                     connection.path() + ": " + sql + ": " + why + "; the database " + older_schema_text(version));
+}
+
 /// Throws unless the text is one statement that only reads and has columns.
 Statement prepare_query(const Connection& connection, const std::string& sql) {
   const auto refuse = [&](const std::string& why) {
@@ -30,7 +39,7 @@ Statement prepare_query(const Connection& connection, const std::string& sql) {
   const bool one = first != nullptr;
   const bool reads = one && sqlite3_stmt_readonly(first) != 0 && sqlite3_column_count(first) > 0;
   sqlite3_finalize(first);
-  if (code != SQLITE_OK) connection.fail(code, sql);
+  if (code != SQLITE_OK) fail_to_prepare(connection, code, sql);
   if (!one) refuse("no statement");
   if (!reads) refuse("not a query: only statements that read are allowed");
   sqlite3_stmt* second = nullptr;
@@ -72,7 +81,9 @@ std::optional<Sweep> ResultsReader::find_sweep(const std::string& name_or_id) co
 }
 
 std::optional<EndedJob> ResultsReader::job(std::int64_t sweep, std::uint64_t job) const {
-  Statement find(implementation_->connection, "SELECT " + job_columns() + " FROM job WHERE sweep = ? AND job = ?");
+  const auto& connection = implementation_->connection;
+  Statement find(connection,
+                 "SELECT " + job_columns(stored_schema_version(connection)) + " FROM job WHERE sweep = ? AND job = ?");
   find.with(sweep, job);
   if (!find.step()) return std::nullopt;
   auto stored = read_job_row(find);
@@ -83,6 +94,10 @@ std::optional<EndedJob> ResultsReader::job(std::int64_t sweep, std::uint64_t job
                                           wrong.text);
   }
   return std::move(stored.job);
+}
+
+std::optional<std::string> ResultsReader::build_of(std::uint64_t worker) const {
+  return find_build(implementation_->connection, worker);
 }
 
 ResultsReader::Table ResultsReader::results(const std::string& sweep_name, std::uint64_t first_job,

@@ -31,6 +31,9 @@ class ResultsReader {
   /// A job with its row as stored; nothing if it has none.
   std::optional<EndedJob> job(std::int64_t sweep, std::uint64_t job) const;
 
+  /// The build that a worker reported; nothing if it has no row.
+  std::optional<std::string> build_of(std::uint64_t worker) const;
+
   /// Rows of any view or query, as JSON literals (numbers, strings in quotes, null). One statement, read-only.
   struct Table {
     std::vector<std::string> columns;

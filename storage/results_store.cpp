@@ -3,6 +3,7 @@
 #include "storage/batch_writer.hpp"
 #include "storage/database_file.hpp"
 #include "storage/job_row.hpp"
+#include "storage/migration.hpp"
 #include "storage/schema.hpp"
 #include "storage/statement.hpp"
 #include "storage/sweep_row.hpp"
@@ -49,15 +50,23 @@ Connection open_for_writing(const std::string& path, const std::string& vfs) {
   return connection;
 }
 
-/// Views of this program, and the next epoch, in one transaction.
-std::uint64_t begin_epoch(const Connection& connection) {
+/// What opening for writing changes.
+struct Opening {
+  std::uint64_t epoch = 0;
+  std::string migration;
+};
+
+/// Tables, views and parameters of this program, and the next epoch, in one transaction.
+Opening begin_epoch(const Connection& connection) {
   Transaction transaction(connection, Transaction::Mode::write);
-  refresh_views(connection);
+  const std::string migration = bring_up_to_date(connection);
   Statement(connection, "UPDATE database SET epoch = epoch + 1, opened = ?").with(unix_milliseconds()).run();
   const std::uint64_t epoch = read_database_row(connection).epoch;
-  BatchWriter(connection, epoch).write(Event{"database_opened", {}, {}, 0, "epoch " + std::to_string(epoch)});
+  BatchWriter writer(connection, epoch);
+  writer.write(Event{"database_opened", {}, {}, 0, "epoch " + std::to_string(epoch)});
+  if (!migration.empty()) writer.write(Event{"schema_migrated", {}, {}, 0, migration});
   transaction.commit();
-  return epoch;
+  return {epoch, migration};
 }
 
 }  // namespace
@@ -67,10 +76,10 @@ struct ResultsStore::Implementation {
       : path(database_path),
         lock(lock_or_create(path, options.vfs)),
         connection(open_for_writing(path, options.vfs)),
-        epoch(begin_epoch(connection)),
+        opening(begin_epoch(connection)),
         database_id(read_database_row(connection).id),
-        writer(connection, epoch),
-        find_job(connection, "SELECT state, digest FROM job WHERE sweep = ? AND job = ?") {
+        writer(connection, opening.epoch),
+        find_job(connection, "SELECT state, digest, worker FROM job WHERE sweep = ? AND job = ?") {
     // Instead of SQLite's own checkpoint after a commit: ours also waits for readers when it must.
     sqlite3_wal_hook(connection.handle(), &Implementation::committed, this);
   }
@@ -85,7 +94,7 @@ struct ResultsStore::Implementation {
   std::string path;
   ExclusiveLock lock;  // before the connection: taken earlier, released later
   Connection connection;
-  std::uint64_t epoch;
+  Opening opening;
   experiment::Id128 database_id;
   BatchWriter writer;
   Statement find_job;
@@ -129,7 +138,10 @@ experiment::Id128 ResultsStore::database_id() const {
   return implementation_->database_id;
 }
 std::uint64_t ResultsStore::epoch() const {
-  return implementation_->epoch;
+  return implementation_->opening.epoch;
+}
+const std::string& ResultsStore::migration() const {
+  return implementation_->opening.migration;
 }
 std::vector<Sweep> ResultsStore::sweeps() const {
   return read_sweeps(implementation_->connection);
@@ -194,9 +206,14 @@ std::optional<ResultsStore::StoredJob> ResultsStore::find_job(std::int64_t sweep
     }
     found->state = *state;
     found->digest = find.digest(1);
+    found->worker = find.bits(2);
   }
   find.reset();
   return found;
+}
+
+std::optional<std::string> ResultsStore::build_of(std::uint64_t worker) const {
+  return find_build(implementation_->connection, worker);
 }
 
 void ResultsStore::commit(const Batch& batch) {

@@ -22,6 +22,7 @@ class StorageError : public std::runtime_error {
     missing,         ///< no such file
     not_a_database,  ///< a file of another kind, or another application's database
     newer_schema,    ///< written by a later Lamprey
+    older_schema,    ///< written by an earlier one; a coordinator that opens it brings it up to date
     other_science,   ///< written under another science version
     in_use,          ///< another coordinator holds it
     network_file_system,
@@ -155,6 +156,9 @@ class ResultsStore {
   experiment::Id128 database_id() const;
   std::uint64_t epoch() const;
 
+  /// What opening had to bring up to date; empty if nothing. Also an event, schema_migrated.
+  const std::string& migration() const;
+
   /// In order of submission.
   std::vector<Sweep> sweeps() const;
 
@@ -170,12 +174,16 @@ class ResultsStore {
   /// Numbers of the jobs that have a row.
   experiment::JobRanges ended_jobs(std::int64_t sweep) const;
 
-  /// State and digest of a job that has a row (the digest is absent for states without one).
+  /// State, digest and worker of a job that has a row (the digest is absent for states without one).
   struct StoredJob {
     JobState state = JobState::done;
     std::optional<experiment::Digest> digest;
+    std::uint64_t worker = 0;  ///< incarnation; 0: none
   };
   std::optional<StoredJob> find_job(std::int64_t sweep, std::uint64_t job) const;
+
+  /// The build that the worker reported; nothing if the worker has no row.
+  std::optional<std::string> build_of(std::uint64_t worker) const;
 
   /// Writes the batch in one transaction and brings the sweeps' counters up to date in it. A sweep whose last job ends
   /// becomes finished (or cancelled, if it was cancelling) in the same transaction. All or nothing: after an exception

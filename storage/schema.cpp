@@ -79,26 +79,35 @@ std::int64_t unix_milliseconds() {
 
 void create_tables(const Connection& connection) {
   connection.execute("PRAGMA application_id = " + std::to_string(application_id));
-  connection.execute("PRAGMA user_version = " + std::to_string(schema_version));
   for (const auto& table : tables()) connection.execute(table_sql(table));
+  record_schema_version(connection);
   const auto now = unix_milliseconds();
-  Statement(connection, "INSERT INTO schema_version VALUES (?, ?, ?)")
-      .with(schema_version, now, std::string_view(LAMPREY_VERSION))
-      .run();
   const std::string id = experiment::to_hex(random_id(connection));
   Statement(connection, "INSERT INTO database VALUES (1, ?, ?, 0, ?, ?, '')")
       .with(std::string_view(id), experiment::science_version, now, now)
       .run();
 }
 
-void refresh_views(const Connection& connection) {
+int stored_schema_version(const Connection& connection) {
+  Statement version(connection, "PRAGMA user_version");
+  return version.step() ? static_cast<int>(version.integer(0)) : 0;
+}
+
+void record_schema_version(const Connection& connection) {
+  connection.execute("PRAGMA user_version = " + std::to_string(schema_version));
+  Statement(connection, "INSERT INTO schema_version VALUES (?, ?, ?)")
+      .with(schema_version, unix_milliseconds(), std::string_view(LAMPREY_VERSION))
+      .run();
+}
+
+bool refresh_views(const Connection& connection) {
   const Shape wanted = shape_of_program();
   const Shape stored = shape_of_database(connection);
   const std::string wanted_fingerprint = fingerprint(wanted);
   Statement read(connection, "SELECT fingerprint FROM database");
   const bool current = read.step() && read.text(0) == wanted_fingerprint;
   read.reset();
-  if (current && stored == wanted) return;
+  if (current && stored == wanted) return false;
 
   std::set<std::string> names;
   for (const auto& [name, sql] : stored.views) names.insert(name);
@@ -111,6 +120,7 @@ void refresh_views(const Connection& connection) {
     insert.with(std::string_view(where.first), std::string_view(where.second), std::string_view(description)).run();
   }
   Statement(connection, "UPDATE database SET fingerprint = ?").with(std::string_view(wanted_fingerprint)).run();
+  return true;
 }
 
 std::string stored_schema_fingerprint(const Connection& connection) {

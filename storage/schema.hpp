@@ -9,7 +9,10 @@
 namespace lamprey::storage {
 
 /// Version of the tables; PRAGMA user_version. Views are not part of it: they follow the parameter registry.
-inline constexpr int schema_version = 1;
+///   1  the first
+///   2  job.measures
+inline constexpr int schema_version = 2;
+inline constexpr int first_version_with_measures = 2;
 
 /// PRAGMA application_id: "LMPR".
 inline constexpr std::uint32_t application_id = 0x4c4d5052;
@@ -30,8 +33,8 @@ struct SchemaObject {
 
 std::vector<SchemaObject> tables();
 
-/// The public contract: result, trace, progress, one view per figure, operators, disturbance_by_mutation_size. Their
-/// columns derive from the parameter registry.
+/// The public contract: result, trace, measure, progress, one view per figure, and others that docs/formats/database.md
+/// describes. Their columns derive from the parameter registry.
 std::vector<SchemaObject> views();
 
 std::string table_sql(const SchemaObject& table);
@@ -40,8 +43,15 @@ std::string view_sql(const SchemaObject& view);
 /// Makes the tables of an empty database and its row of `database`. To be called in a transaction.
 void create_tables(const Connection& connection);
 
-/// Drops and makes anew views and descriptions if they aren't those of this program. To be called in a transaction.
-void refresh_views(const Connection& connection);
+/// Drops and makes anew views and descriptions if they aren't those of this program; whether that was so. To be called
+/// in a transaction.
+bool refresh_views(const Connection& connection);
+
+/// PRAGMA user_version.
+int stored_schema_version(const Connection& connection);
+
+/// The version, and when it came, in `schema_version` and the header. To be called in a transaction.
+void record_schema_version(const Connection& connection);
 
 /// SHA-256 in hex over the views' SQL and all descriptions as they stand in the database.
 std::string stored_schema_fingerprint(const Connection& connection);

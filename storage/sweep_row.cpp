@@ -74,6 +74,13 @@ experiment::Digest sweep_checksum(const NewSweep& sweep, std::uint32_t science_v
   return experiment::sha256(text);
 }
 
+std::optional<std::string> find_build(const Connection& connection, std::uint64_t worker) {
+  Statement find(connection, "SELECT build FROM worker WHERE worker = ?");
+  find.bind(1, worker);
+  if (!find.step()) return std::nullopt;
+  return std::string(find.text(0));
+}
+
 DatabaseRow read_database_row(const Connection& connection) {
   Statement read(connection, "SELECT database_id, science_version, epoch FROM database WHERE row = 1");
   const bool found = read.step();

@@ -31,6 +31,9 @@ std::optional<Sweep> find_sweep_by(const Connection& connection, const std::stri
 /// SHA-256 over every column of `sweep` that never changes and that nothing else stored repeats in full.
 experiment::Digest sweep_checksum(const NewSweep& sweep, std::uint32_t science_version);
 
+/// The build that a worker reported; nothing if it has no row.
+std::optional<std::string> find_build(const Connection& connection, std::uint64_t worker);
+
 /// The row of `database`.
 struct DatabaseRow {
   experiment::Id128 id;

@@ -72,8 +72,11 @@ SchemaObject job_table() {
        {"successes", "INTEGER", "Mutations better than the last accepted state"},
        {"success_rate", "", "Eq. 8.1: successes / cycles_run"},
        {"parameters", "TEXT", "JSON object of the parameters that apply"},
-       // Last, so that scans need not read the overflow pages that it fills.
-       {"trace", "TEXT", "JSON array of the accepted changes, [cycle, stability, distance, fuel, total] each"}});
+       // Last, so that scans need not read the overflow pages that they fill.
+       {"trace", "TEXT", "JSON array of the accepted changes, [cycle, stability, distance, fuel, total] each"},
+       // After the trace, since databases of version 1 have got it by ALTER TABLE.
+       {"measures", "TEXT",
+        "JSON array of what only some jobs tell, [name, index, value] each; NULL if there is nothing"}});
   return table;
 }
 

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <type_traits>
+#include <utility>
 
 namespace lamprey::storage {
 
@@ -12,6 +13,9 @@ namespace {
 
 /// Longest row: ten digits of a cycle, four doubles of at most 24 characters, brackets and commas.
 constexpr std::size_t longest_row = 128;
+
+/// Longest end of a measure: ten digits of an index, a double, bracket and commas.
+constexpr std::size_t longest_measure_end = 40;
 
 template <typename Number>
 char* write_number(char* position, char* end, Number value) {
@@ -37,6 +41,16 @@ class Scanner {
     if constexpr (std::is_floating_point_v<Number>) good_ = good_ && std::isfinite(value);
     position_ = after;
     return value;
+  }
+
+  /// The characters up to a quotation mark, which is passed over.
+  std::string_view quoted_text() {
+    require('"');
+    const char* const end = std::find(position_, end_, '"');
+    const std::string_view text(position_, static_cast<std::size_t>(end - position_));
+    position_ = end;
+    require('"');
+    return text;
   }
 
   void require(char expected) { good_ = take(expected) && good_; }
@@ -90,6 +104,41 @@ std::optional<std::vector<experiment::AcceptedChange>> read_trace(std::string_vi
   if (!trace.empty()) scanner.require(']');
   if (!scanner.good() || !scanner.at_end()) return std::nullopt;
   return trace;
+}
+
+void write_measures(std::span<const experiment::Measure> measures, std::string& text) {
+  text.clear();
+  text += '[';
+  std::array<char, longest_measure_end> numbers{};
+  char* const end = numbers.data() + numbers.size();
+  for (const auto& measure : measures) {
+    if (text.size() > 1) text += ',';
+    char* position = write_number(numbers.data(), end, measure.index);
+    *position++ = ',';
+    position = write_number(position, end, measure.value);
+    text.append("[\"").append(measure.name).append("\",").append(numbers.data(), position).append("]");
+  }
+  text += ']';
+}
+
+std::optional<std::vector<experiment::Measure>> read_measures(std::string_view text) {
+  Scanner scanner(text);
+  std::vector<experiment::Measure> measures;
+  scanner.require('[');
+  for (bool more = !scanner.take(']'); more && scanner.good(); more = scanner.take(',')) {
+    scanner.require('[');
+    experiment::Measure measure;
+    measure.name = scanner.quoted_text();
+    scanner.require(',');
+    measure.index = scanner.number<std::uint32_t>();
+    scanner.require(',');
+    measure.value = scanner.number<double>();
+    scanner.require(']');
+    measures.push_back(std::move(measure));
+  }
+  if (!measures.empty()) scanner.require(']');
+  if (!scanner.good() || !scanner.at_end()) return std::nullopt;
+  return measures;
 }
 
 std::string shortest_text(double value) {

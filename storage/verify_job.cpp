@@ -66,25 +66,43 @@ class JobCheck {
     if (outcome.success_rate != rate) {
       add("success_rate", stored_and_expected(shortest_text(outcome.success_rate), shortest_text(rate)));
     }
-    const Score& last = trace.empty() ? outcome.initial : trace.back().score;
-    if (outcome.final != last) add("final_total", stored_and_expected(text_of(outcome.final), text_of(last)));
-    reached("evolved_total", outcome.evolved);
-    reached("highest_total", outcome.highest);
-    for (const auto& change : trace) {
-      if (change.score.total > outcome.highest.total) {
-        add("highest_total", "stored " + text_of(outcome.highest) + ", but cycle " + std::to_string(change.cycle) +
-                                 " of the trace has " + text_of(change.score));
-        break;
-      }
-    }
+    scores();
     if (std::ranges::adjacent_find(trace, std::ranges::greater_equal{}, &experiment::AcceptedChange::cycle) !=
         trace.end()) {
       add("trace", "its cycles do not ascend");
     }
     if (!trace.empty() && trace.back().cycle >= outcome.cycles) add("trace", "it is longer than the run");
+    if (const auto fault = experiment::measures_fault(outcome.measures); !fault.empty()) add("measures", fault);
   }
 
  private:
+  /// Scores against the trace. After a change of the environment they are those of the latest one, whose first is that
+  /// of the accepted state tried again, which is in no trace.
+  void scores() const {
+    const Outcome& outcome = *job_.outcome;
+    const auto& trace = outcome.trace;
+    const auto is_expected = [](const experiment::Measure& measure) {
+      return measure.name == "environment_expected_total";
+    };
+    const auto latest = std::find_if(outcome.measures.rbegin(), outcome.measures.rend(), is_expected);
+    if (latest != outcome.measures.rend()) {
+      if (latest->value != outcome.expected.total) {
+        add("expected_total", stored_and_expected(shortest_text(outcome.expected.total), shortest_text(latest->value)));
+      }
+      return;
+    }
+    const Score& last = trace.empty() ? outcome.initial : trace.back().score;
+    if (outcome.final != last) add("final_total", stored_and_expected(text_of(outcome.final), text_of(last)));
+    reached("evolved_total", outcome.evolved);
+    reached("highest_total", outcome.highest);
+    const auto higher =
+        std::ranges::find_if(trace, [&](const auto& change) { return change.score.total > outcome.highest.total; });
+    if (higher != trace.end()) {
+      add("highest_total", "stored " + text_of(outcome.highest) + ", but cycle " + std::to_string(higher->cycle) +
+                               " of the trace has " + text_of(higher->score));
+    }
+  }
+
   void whole(const char* column, std::uint64_t stored, std::uint64_t expected) const {
     if (stored != expected) add(column, stored_and_expected(std::to_string(stored), std::to_string(expected)));
   }

@@ -1,4 +1,4 @@
-#include "experiment/parameters.hpp"
+#include "experiment/models.hpp"
 #include "storage/job_row.hpp"
 #include "storage/view_columns.hpp"
 
@@ -9,6 +9,7 @@ namespace {
 std::string_view sql_type(experiment::ParameterKind kind) {
   switch (kind) {
     case experiment::ParameterKind::choice:
+    case experiment::ParameterKind::schedule:
       return "TEXT";
     case experiment::ParameterKind::integer:
       return "INTEGER";
@@ -16,6 +17,31 @@ std::string_view sql_type(experiment::ParameterKind kind) {
       return "REAL";
   }
   throw std::logic_error("a parameter kind without an SQL type");
+}
+
+/// `parameter IN (the models that are only that repeatable)`; nothing if there are none.
+template <typename Models>
+std::string condition_of(std::string_view parameter, const Models& models, experiment::Repeatability repeatability) {
+  std::string names;
+  for (const auto& model : models) {
+    if (model.repeatability == repeatability) names += (names.empty() ? "'" : ", '") + std::string(model.name) + "'";
+  }
+  if (names.empty()) return names;
+  return parameter_column(parameter).definition + " IN (" + names + ")";
+}
+
+/// The weaker of the network's and the trainer's, as experiment::repeatability has it.
+std::string repeatability_sql() {
+  using experiment::Repeatability;
+  std::string sql = "CAST(CASE WHEN j.state <> 'done' THEN NULL";
+  for (const auto repeatability : {Repeatability::physical, Repeatability::same_build}) {
+    for (const auto& condition : {condition_of("network", experiment::network_models(), repeatability),
+                                  condition_of("trainer", experiment::trainer_models(), repeatability)}) {
+      if (condition.empty()) continue;
+      sql += " WHEN " + condition + " THEN '" + std::string(to_text(repeatability)) + "'";
+    }
+  }
+  return sql + " ELSE '" + std::string(to_text(Repeatability::bitwise)) + "' END AS TEXT)";
 }
 
 SchemaObject result_view() {
@@ -46,8 +72,9 @@ SchemaObject result_view() {
   }
   view.columns.push_back({"success_rate", "CAST(j.success_rate AS REAL)", "Eq. 8.1: successes / cycles"});
   view.columns.push_back({"seconds", "j.seconds", "Time that its computation took; not deterministic"});
-  view.columns.push_back({"repeatability", "CAST(CASE j.state WHEN 'done' THEN 'bitwise' END AS TEXT)",
-                          "bitwise: any machine computes the same bits again; NULL unless done"});
+  view.columns.push_back({"repeatability", repeatability_sql(),
+                          "bitwise: any machine computes the same bits again; same_build: only the same build does; "
+                          "NULL unless done"});
   return view;
 }
 
@@ -111,6 +138,7 @@ Column parameter_column(std::string_view parameter) {
 
 std::vector<SchemaObject> views() {
   std::vector<SchemaObject> all = {result_view(), trace_view(), progress_view()};
+  for (auto& view : measure_views()) all.push_back(std::move(view));
   for (auto& view : figure_views()) all.push_back(std::move(view));
   return all;
 }

@@ -76,6 +76,11 @@ bool convert(const lamprey_wire_Trace& wire, std::vector<experiment::AcceptedCha
   return true;
 }
 
+bool convert(const lamprey_wire_Measure& wire, experiment::Measure& measure) {
+  measure = {.name = text(wire.name), .index = wire.index, .value = wire.value};
+  return true;
+}
+
 bool convert(const lamprey_wire_Outcome& wire, experiment::Outcome& outcome) {
   outcome.expected = score(wire.expected);
   outcome.initial = score(wire.initial);
@@ -86,7 +91,9 @@ bool convert(const lamprey_wire_Outcome& wire, experiment::Outcome& outcome) {
   outcome.accepted = wire.accepted;
   outcome.successes = wire.successes;
   outcome.success_rate = wire.success_rate;
-  return convert(wire.trace, outcome.trace);
+  return convert(wire.trace, outcome.trace) &&
+         convert_all(wire.measures, outcome.measures,
+                     [](const auto& from, experiment::Measure& to) { return convert(from, to); });
 }
 
 bool convert(const lamprey_wire_JobResult& wire, JobResult& result) {

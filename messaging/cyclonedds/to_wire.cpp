@@ -56,6 +56,10 @@ lamprey_wire_Score convert(const experiment::Score& score) {
   return {.stability = score.stability, .distance = score.distance, .fuel = score.fuel, .total = score.total};
 }
 
+lamprey_wire_Measure convert(const experiment::Measure& measure) {
+  return {.name = lend(measure.name), .index = measure.index, .value = measure.value};
+}
+
 lamprey_wire_HeldLease convert(const HeldLease& lease, Arena& arena) {
   lamprey_wire_HeldLease wire{};
   wire.database_high = lease.database.high;
@@ -85,6 +89,8 @@ lamprey_wire_Outcome convert(const experiment::Outcome& outcome, Arena& arena) {
   convert_all(wire.trace.distance, outcome.trace, arena, [](const AcceptedChange& c) { return c.score.distance; });
   convert_all(wire.trace.fuel, outcome.trace, arena, [](const AcceptedChange& c) { return c.score.fuel; });
   convert_all(wire.trace.total, outcome.trace, arena, [](const AcceptedChange& c) { return c.score.total; });
+  convert_all(wire.measures, outcome.measures, arena,
+              [](const experiment::Measure& measure) { return convert(measure); });
   return wire;
 }
 

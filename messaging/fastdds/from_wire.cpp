@@ -20,6 +20,7 @@ bool convert(wire::RunningJob& from, RunningJob& running) {
 }
 
 bool convert(wire::HeldLease& from, HeldLease& lease);
+bool convert(wire::Measure& from, experiment::Measure& measure);
 bool convert(wire::JobResult& from, JobResult& result);
 bool convert(wire::Acknowledgement& from, Acknowledgement& acknowledgement);
 
@@ -69,7 +70,12 @@ bool convert(const wire::Trace& from, std::vector<experiment::AcceptedChange>& t
   return true;
 }
 
-bool convert(const wire::Outcome& from, experiment::Outcome& outcome) {
+bool convert(wire::Measure& from, experiment::Measure& measure) {
+  measure = {.name = std::move(from.name()), .index = from.index(), .value = from.value()};
+  return true;
+}
+
+bool convert(wire::Outcome& from, experiment::Outcome& outcome) {
   outcome.expected = score(from.expected());
   outcome.initial = score(from.initial());
   outcome.evolved = score(from.evolved());
@@ -79,7 +85,7 @@ bool convert(const wire::Outcome& from, experiment::Outcome& outcome) {
   outcome.accepted = from.accepted();
   outcome.successes = from.successes();
   outcome.success_rate = from.success_rate();
-  return convert(from.trace(), outcome.trace);
+  return convert(from.trace(), outcome.trace) && convert_all(from.measures(), outcome.measures);
 }
 
 bool convert(wire::JobResult& from, JobResult& result) {
@@ -91,7 +97,7 @@ bool convert(wire::JobResult& from, JobResult& result) {
   result.digest = from.digest();
   result.seconds = from.seconds();
   result.reason = std::move(from.reason());
-  return set_enumerator(result.kind, from.kind()) && convert(std::as_const(from).outcome(), result.outcome);
+  return set_enumerator(result.kind, from.kind()) && convert(from.outcome(), result.outcome);
 }
 
 bool convert(wire::Acknowledgement& from, Acknowledgement& acknowledgement) {

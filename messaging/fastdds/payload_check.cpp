@@ -85,6 +85,7 @@ void outcome(Walker& walker) {
   for (int i = 0; i < 5; ++i) score(walker);
   walker.u32(3).real();
   walker.u32s().reals().reals().reals().reals();
+  walker.sequence([](Walker& measure) { measure.text().u32().real(); });
 }
 
 void job_result(Walker& walker) {

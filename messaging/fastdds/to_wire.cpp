@@ -43,6 +43,7 @@ wire::Score convert(const experiment::Score& score) {
 }
 
 wire::HeldLease convert(const HeldLease& lease);
+wire::Measure convert(const experiment::Measure& measure);
 wire::JobResult convert(const JobResult& result);
 wire::Acknowledgement convert(const Acknowledgement& acknowledgement);
 
@@ -78,6 +79,14 @@ wire::Trace convert(const std::vector<experiment::AcceptedChange>& trace) {
   return to;
 }
 
+wire::Measure convert(const experiment::Measure& measure) {
+  wire::Measure to;
+  to.name(measure.name);
+  to.index(measure.index);
+  to.value(measure.value);
+  return to;
+}
+
 wire::Outcome convert(const experiment::Outcome& outcome) {
   wire::Outcome to;
   to.expected(convert(outcome.expected));
@@ -90,6 +99,7 @@ wire::Outcome convert(const experiment::Outcome& outcome) {
   to.successes(outcome.successes);
   to.success_rate(outcome.success_rate);
   to.trace(convert(outcome.trace));
+  convert_all(outcome.measures, to.measures());
   return to;
 }
 

@@ -43,6 +43,11 @@ class Values {
     for (auto& change : all) change = {.cycle = u32(), .score = score()};
     return all;
   }
+  std::vector<experiment::Measure> measures(std::size_t size) {
+    std::vector<experiment::Measure> all(size);
+    for (auto& measure : all) measure = {.name = text(), .index = u32(), .value = real()};
+    return all;
+  }
 
  private:
   std::uint64_t next_;
@@ -85,7 +90,7 @@ inline void fill(Lease& sample, Values& values) {
   sample.reason = values.text();
 }
 
-inline JobResult example_result(Values& values, std::size_t rows) {
+inline JobResult example_result(Values& values, std::size_t rows, std::size_t measures = 0) {
   JobResult result;
   result.job = values.u64();
   result.kind = ResultKind::failed;
@@ -104,6 +109,7 @@ inline JobResult example_result(Values& values, std::size_t rows) {
   result.outcome.successes = values.u32();
   result.outcome.success_rate = values.real();
   result.outcome.trace = values.trace(rows);
+  result.outcome.measures = values.measures(measures);
   result.seconds = values.real();
   result.reason = values.text();
   return result;
@@ -113,7 +119,7 @@ inline void fill(ResultBatch& sample, Values& values) {
   sample.origin = values.origin();
   sample.sequence = values.u64();
   sample.sweep = values.id();
-  sample.results = {example_result(values, 0), example_result(values, 1), example_result(values, 300)};
+  sample.results = {example_result(values, 0), example_result(values, 1, 3), example_result(values, 300, 100)};
   sample.results[1].reason.clear();
 }
 
@@ -194,11 +200,12 @@ inline void maximise(ResultBatch& sample) {
   Values values(9);
   sample.sequence = most;
   sample.sweep = {most, most};
-  for (int i = 0; i < 100; ++i) sample.results.push_back(example_result(values, 6));  // together about 60 KB
+  for (int i = 0; i < 100; ++i) sample.results.push_back(example_result(values, 4, 1));  // together about 60 KB
   auto& outcome = sample.results[0].outcome;
   constexpr double largest = std::numeric_limits<double>::max();
   outcome.expected = {largest, -largest, std::numeric_limits<double>::denorm_min(), -0.0};
   outcome.success_rate = std::numeric_limits<double>::infinity();
+  outcome.measures = {{std::string(1000, 'n'), most32, largest}, {"", 0, -0.0}};
 }
 inline void maximise(ResultAcknowledgement& sample) {
   Digest digest;

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <random>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace lamprey::messaging::fastdds {
@@ -118,6 +119,24 @@ TEST(FastWireHostile, UnknownEnumeratorsAreRefused) {
   lease.kind(static_cast<wire::LeaseKind>(256));
   Lease lease_back;
   EXPECT_FALSE(from_wire(lease, lease_back));
+}
+
+TEST(FastWireHostile, MeasuresBeyondThePayloadAreRefusedBeforeMemoryIsSetAside) {
+  ResultBatch batch;
+  batch.results.resize(1);
+  auto& result = batch.results[0];
+  result.outcome.measures = {{"recovered", 7, 1}};
+  auto octets = serialised(batch);
+  // The count, the length of the name, the name.
+  const std::string name = "recovered";
+  const auto found = std::search(octets.begin(), octets.end(), name.begin(), name.end());
+  const auto count_position = static_cast<std::size_t>(found - octets.begin()) - 8;
+  ASSERT_EQ(octets.at(count_position), 1);
+  EXPECT_TRUE(lengths_are_possible<ResultBatch>(octets));
+  octets[count_position] = 255;
+  EXPECT_FALSE(lengths_are_possible<ResultBatch>(octets));
+  std::memset(octets.data() + count_position, 0xff, 4);
+  EXPECT_FALSE(lengths_are_possible<ResultBatch>(octets));
 }
 
 TEST(FastWireHostile, TraceColumnsOfUnequalLengthAreRefused) {

@@ -14,9 +14,9 @@ namespace {
 constexpr std::uint64_t worker = 7;
 const Id128 sweep{1, 2};
 
-JobResult whole_result(std::size_t rows, std::uint64_t seed = 1) {
+JobResult whole_result(std::size_t rows, std::uint64_t seed = 1, std::size_t measures = 0) {
   testing::Values values(seed);
-  JobResult result = testing::example_result(values, rows);
+  JobResult result = testing::example_result(values, rows, measures);
   result.kind = ResultKind::done;
   result.fragment = 0;
   result.fragments = 1;
@@ -40,11 +40,30 @@ TEST(Fragmentation, EveryFragmentFitsASample) {
   }
 }
 
+// A run with `record: details` has as many measures as rows of its trace.
+TEST(Fragmentation, MeasuresAreCutOverFragmentsLikeTheTrace) {
+  for (const auto& [rows, measures] :
+       {std::pair<std::size_t, std::size_t>{0, 5000}, {10, 10}, {long_trace, long_trace}, {1790, 10}}) {
+    const JobResult result = whole_result(rows, 1, measures);
+    const auto parts = fragments(result);
+    EXPECT_EQ(parts.size() > 1, rows + measures > 1700);
+    Assembler assembler;
+    std::optional<JobResult> assembled;
+    for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
+      EXPECT_LE(wire_bytes(*part), maximum_sample_bytes - 256);
+      EXPECT_EQ(part->fragments, parts.size());
+      assembled = assembler.add(worker, sweep, *part);
+    }
+    EXPECT_EQ(assembled, result);
+    EXPECT_EQ(assembler.held_bytes(), 0u);
+  }
+}
+
 TEST(Fragmentation, AnyOrderWithDuplicatesGivesTheWholeExactlyOnce) {
   std::mt19937_64 random(2006);
   for (const std::size_t rows : {std::size_t{1}, std::size_t{1800}, std::size_t{long_trace}, std::size_t{40'000}}) {
     for (int repetition = 0; repetition < 10; ++repetition) {
-      const JobResult result = whole_result(rows);
+      const JobResult result = whole_result(rows, 1, rows / 2);
       auto parts = fragments(result);
       const auto copies = parts;
       parts.insert(parts.end(), copies.begin(), copies.end());

@@ -102,6 +102,12 @@ TEST_F(OpeningTest, NewerSchemaThatStandsInTheLogOnlyIsRefused) {
   expect_refused(path, Kind::newer_schema, "later Lamprey");
 }
 
+TEST_F(OpeningTest, NewerSchemaIsNamedWithWhatThisProgramKnows) {
+  const auto path = make_database();
+  raw_connection(path).execute("PRAGMA user_version = 7");
+  expect_refused(path, Kind::newer_schema, "(schema version 7, this program knows up to 2)");
+}
+
 TEST_F(OpeningTest, OtherScienceIsRefusedForWritingAndReadable) {
   const auto path = make_database();
   raw_connection(path).execute("UPDATE database SET science_version = science_version + 1");

@@ -108,6 +108,20 @@ TEST_F(ResultsStoreTest, CommittedJobIsReadBackBitForBit) {
   EXPECT_EQ(stored->seconds, 0.004);
 }
 
+TEST_F(ResultsStoreTest, MeasuresAreReadBackBitForBitAndNothingIsStoredForNone) {
+  ResultsStore store(path_);
+  const auto row = store.add_sweep(sweep_.what).sweep.row;
+  auto outcome = made_up_outcome(5);
+  outcome.measures = {{"recovered", 0, 1}, {"recovered", 4294967295U, 1.0 / 3}, {"z", 0, 5e-324}};
+  const auto job = done_job(sweep_, row, 7, outcome);
+  store.commit({.jobs = {job, done_job(sweep_, row, 8)}});
+  const ResultsReader reader(path_);
+  EXPECT_EQ(reader.job(row, 7)->outcome, outcome);
+  EXPECT_TRUE(reader.job(row, 8)->outcome->measures.empty());
+  EXPECT_EQ(column_of(reader, "SELECT job FROM job WHERE measures IS NULL"), std::vector<std::string>{"8"});
+  EXPECT_EQ(text_of(verify(path_)), "");
+}
+
 TEST_F(ResultsStoreTest, RestartFindsEndedJobsCountersAndDigests) {
   std::int64_t row = 0;
   {
@@ -204,6 +218,9 @@ TEST_F(ResultsStoreTest, InconsistentJobsAreRefused) {
   EXPECT_TRUE(refused([](EndedJob& job) { job.sweep = 99; }));
   EXPECT_TRUE(refused([](EndedJob& job) { job.outcome->evolved.fuel = std::nan(""); }));
   EXPECT_TRUE(refused([](EndedJob& job) { job.outcome->trace[2].score.total = INFINITY; }));
+  EXPECT_TRUE(refused([](EndedJob& job) { job.outcome->measures = {{"a\"b", 0, 1}}; }));
+  EXPECT_TRUE(refused([](EndedJob& job) { job.outcome->measures = {{"a", 0, INFINITY}}; }));
+  EXPECT_TRUE(refused([](EndedJob& job) { job.outcome->measures = {{"a", 1, 1}, {"a", 0, 1}}; }));
   EXPECT_FALSE(refused([](EndedJob&) {}));
 }
 

@@ -76,5 +76,39 @@ TEST(TraceText, OtherSpellingsOfANumberAreFoundByWritingAgain) {
   }
 }
 
+std::string written_measures(const std::vector<experiment::Measure>& measures) {
+  std::string text = "what was there before";
+  write_measures(measures, text);
+  return text;
+}
+
+TEST(MeasureText, IsCompactJsonThatReadsBackToTheSameBits) {
+  const std::vector<experiment::Measure> measures = {
+      {"parameter_variation", 4294967295U, 1.0 / 3}, {"recovered", 0, 1}, {"x", 7, -2.2250738585072014e-308}};
+  const auto text = written_measures(measures);
+  EXPECT_EQ(text, R"([["parameter_variation",4294967295,0.3333333333333333],["recovered",0,1],)"
+                  R"(["x",7,-2.2250738585072014e-308]])");
+  EXPECT_EQ(read_measures(text), measures);
+  EXPECT_EQ(written_measures({}), "[]");
+  EXPECT_EQ(read_measures("[]"), std::vector<experiment::Measure>{});
+}
+
+TEST(MeasureText, OtherTextIsRefused) {
+  for (const auto* text :
+       {"", "[", "]", "[[]]", R"([["a",1]])", R"([["a",1,2,3]])", R"([[a,1,2]])", R"([["a,1,2]])", R"([["a" ,1,2]])",
+        R"([["a",-1,2]])", R"([["a",1.5,2]])", R"([["a",4294967296,2]])", R"([["a",1,nan]])", R"([["a",1,1e999]])",
+        R"([["a",1,2],])", R"([["a",1,2]["b",1,2]])", R"([["a",1,2]] )", R"([["a",1,"2"]])"}) {
+    EXPECT_FALSE(read_measures(text)) << text;
+  }
+}
+
+TEST(MeasureText, OtherSpellingsOfANumberAreFoundByWritingAgain) {
+  for (const auto* text : {R"([["a",01,2]])", R"([["a",1,2.0]])", R"([["a",1,20e-1]])"}) {
+    const auto read = read_measures(text);
+    ASSERT_TRUE(read) << text;
+    EXPECT_NE(written_measures(*read), text);
+  }
+}
+
 }  // namespace
 }  // namespace lamprey::storage

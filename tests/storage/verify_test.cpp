@@ -18,7 +18,9 @@ class VerifyTest : public ::testing::Test {
     const auto row = store.add_sweep(sweep_.what).sweep.row;
     Batch batch;
     batch.workers.push_back({.incarnation = 7, .host = "a", .process = 1, .threads = 2, .build = "b", .dds = "c"});
-    batch.jobs = {done_job(sweep_, row, 4, made_up_outcome(4, 2)),
+    auto outcome = made_up_outcome(4, 2);
+    outcome.measures = {{"failures", 4, 0.1}, {"recovered", 0, 1}};
+    batch.jobs = {done_job(sweep_, row, 4, outcome),
                   done_job(sweep_, row, 8, made_up_outcome(8, 0)),
                   done_job(sweep_, row, 23, made_up_outcome(23, 30)),
                   ended_job(sweep_, row, 17, JobState::failed, "no memory"),
@@ -133,7 +135,7 @@ std::vector<std::string> outcome_columns() {
   for (const std::string score : {"expected", "initial", "evolved", "highest", "final"}) {
     for (const std::string part : {"stability", "distance", "fuel", "total"}) columns.push_back(score + "_" + part);
   }
-  columns.insert(columns.end(), {"cycles_run", "accepted", "successes", "success_rate", "trace"});
+  columns.insert(columns.end(), {"cycles_run", "accepted", "successes", "success_rate", "trace", "measures"});
   return columns;
 }
 
@@ -161,6 +163,33 @@ TEST_F(FlipTest, AnyFlipInASweepIsFound) {
 TEST_F(VerifyTest, EqualNumbersSpelledOtherwiseAreFound) {
   raw_connection(path_).execute("UPDATE job SET trace = replace(trace, '[[3,', '[[03,') WHERE job = 4");
   EXPECT_THAT(findings(), HasSubstr("operators job 4 trace: the stored text is not in canonical form"));
+}
+
+TEST_F(VerifyTest, MeasuresThatNoStoreWritesAreFound) {
+  const auto expect_found = [&](const std::string& measures, const std::string& what, const std::string& job = "4") {
+    raw_connection(path_).execute("UPDATE job SET measures = " + measures + " WHERE job = " + job);
+    EXPECT_THAT(findings(), HasSubstr("operators job " + job + " " + what)) << measures;
+  };
+  expect_found("'[[\"failures\",4,0.10],[\"recovered\",0,1]]'", "measures: the stored text is not in canonical form");
+  expect_found("'[[\"failures\",4]]'", "measures: the stored text is not a list");
+  expect_found("'[]'", "measures: an empty list is stored instead of nothing");
+  expect_found("'[[\"recovered\",0,1],[\"failures\",4,0.1]]'", "measures: the measure failures 4 comes twice or is");
+  expect_found("NULL", "digest");
+  expect_found("'[[\"a\",0,1]]'", "measures: a value is stored although the job is not done", "17");
+}
+
+// A change of the environment starts the scores anew: none of them need be in the trace.
+TEST_F(VerifyTest, ScoresAfterAChangeOfTheEnvironmentNeedNotBeInTheTrace) {
+  ResultsStore store(path_);
+  auto outcome = made_up_outcome(10);
+  outcome.expected.total = 300;
+  outcome.evolved = outcome.highest = outcome.final = {1, 2, 3, 4};
+  outcome.measures = {{"environment_expected_total", 0, 200}, {"environment_expected_total", 1, 300}};
+  store.commit({.jobs = {done_job(sweep_, 1, 10, outcome)}});
+  EXPECT_EQ(findings(), "");
+  outcome.expected.total = 200;
+  store.commit({.jobs = {done_job(sweep_, 1, 11, outcome)}});
+  EXPECT_EQ(findings(), "operators job 11 expected_total: stored 200, expected 300\n");
 }
 
 TEST_F(VerifyTest, MissingAndSurplusRowsAreFound) {
@@ -214,9 +243,11 @@ TEST_F(VerifyTest, FlippedByteOfTheFileIsFoundOrChangesNothingDeterministic) {
     for (const char* sql :
          {"SELECT sweep, id, name, specification, source, seed, replicates, jobs, science_version, done FROM sweep",
           "SELECT sweep, job, state, identity, digest, seed, replicate, parameters, trace, expected_total, "
-          "initial_fuel, evolved_total, highest_distance, final_total, cycles_run, success_rate FROM job ORDER BY job",
+          "initial_fuel, evolved_total, highest_distance, final_total, cycles_run, success_rate, measures FROM job "
+          "ORDER BY job",
           "SELECT name, sql FROM sqlite_master WHERE sql IS NOT NULL ORDER BY name",
-          "SELECT job, evolved_total, mutation FROM result ORDER BY job", "SELECT * FROM trace ORDER BY job, cycle"}) {
+          "SELECT job, evolved_total, mutation FROM result ORDER BY job", "SELECT * FROM trace ORDER BY job, cycle",
+          "SELECT * FROM measure ORDER BY job, name, \"index\""}) {
       for (const auto& row : reader.query(sql).rows) {
         for (const auto& value : row) text += value + '\n';
       }

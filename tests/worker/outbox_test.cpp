@@ -85,6 +85,25 @@ TEST_F(OutboxTest, EverySampleStaysWithinItsBound) {
   EXPECT_EQ(jobs.size(), 40U);
 }
 
+TEST_F(OutboxTest, MeasuresAreSplitOverSamplesAsTheTraceIs) {
+  auto detailed = result(1, 10);
+  for (std::uint32_t cycle = 0; cycle < 3000; ++cycle) {
+    detailed.outcome.measures.push_back({"parameter_variation", cycle, 0.5});
+  }
+  outbox.add(database, sweep, detailed, now);
+  const auto batches = outbox.due(now, true);
+  EXPECT_GT(batches.size(), 1U);
+  messaging::Assembler assembler;
+  std::optional<messaging::JobResult> whole;
+  for (const auto& batch : batches) {
+    for (const auto& part : batch.results) {
+      EXPECT_LE(messaging::wire_bytes(part), messaging::maximum_sample_bytes);
+      whole = assembler.add(7, batch.sweep, part);
+    }
+  }
+  EXPECT_EQ(whole, detailed);
+}
+
 TEST_F(OutboxTest, NoMoreIsInFlightThanAllowed) {
   Outbox bounded({.most_bytes_in_flight = 100'000});
   for (std::uint64_t job = 0; job < 20; ++job) bounded.add(database, sweep, result(job, 1000), now);
