@@ -2,8 +2,8 @@
 
 namespace lamprey::client {
 
-Json document(std::string_view command) {
-  return {{"schema", "lamprey/" + std::string(command) + "/1"}};
+Json document(std::string_view command, int version) {
+  return {{"schema", "lamprey/" + std::string(command) + "/" + std::to_string(version)}};
 }
 
 void print(const output::Console& console, const Json& document) {

@@ -12,9 +12,9 @@ namespace lamprey::client {
 
 using Json = nlohmann::ordered_json;
 
-/// An empty document of the command: {"schema": "lamprey/<command>/1"}. The number rises when a field changes its
-/// meaning or goes; new fields don't raise it.
-Json document(std::string_view command);
+/// An empty document of the command: {"schema": "lamprey/<command>/<version>"}. The number rises when a field changes
+/// its meaning or goes; new fields don't raise it.
+Json document(std::string_view command, int version = 1);
 
 /// The one document that a command writes, with a line end.
 void print(const output::Console& console, const Json& document);

@@ -11,13 +11,6 @@ namespace lamprey::experiment {
 
 namespace {
 
-/// A condition with its parameter looked up once: applies() is asked for every parameter of every job.
-struct ResolvedCondition {
-  std::size_t row;
-  bool is;
-  std::string_view value;
-};
-
 const std::unordered_map<std::string_view, std::size_t>& rows_by_name() {
   static const auto rows = [] {
     std::unordered_map<std::string_view, std::size_t> result;
@@ -27,14 +20,23 @@ const std::unordered_map<std::string_view, std::size_t>& rows_by_name() {
   return rows;
 }
 
-const std::vector<std::vector<ResolvedCondition>>& resolved_conditions() {
+/// The conditions of every row, looked up once: applies() is asked for every parameter of every job. Conditions ask for
+/// earlier rows, so those of what they ask for are there when a row's turn comes.
+const std::vector<std::vector<RowCondition>>& conditions_by_row() {
   static const auto conditions = [] {
-    std::vector<std::vector<ResolvedCondition>> result;
+    std::vector<std::vector<RowCondition>> result;
     for (const auto& parameter : registry()) {
-      auto& resolved = result.emplace_back();
+      std::vector<RowCondition> all;
+      const auto add = [&](const RowCondition& condition) {
+        if (std::ranges::find(all, condition) == all.end()) all.push_back(condition);
+      };
       for (const auto& condition : parameter.applies_when) {
-        resolved.push_back({parameter_index(condition.parameter), condition.is, condition.value});
+        std::ranges::for_each(result.at(parameter_index(condition.parameter)), add);
       }
+      for (const auto& condition : parameter.applies_when) {
+        add({parameter_index(condition.parameter), condition.is, condition.values});
+      }
+      result.push_back(std::move(all));
     }
     return result;
   }();
@@ -103,13 +105,21 @@ std::size_t parameter_index(std::string_view name) {
   return found->second;
 }
 
+bool RowCondition::holds(const Value& value) const {
+  const auto* choice = std::get_if<std::string>(&value);
+  const bool named = choice != nullptr && std::ranges::find(values, *choice) != values.end();
+  return named == is;
+}
+
+std::span<const RowCondition> conditions_of(std::size_t row) {
+  return conditions_by_row().at(row);
+}
+
 Parameters::Parameters() : values_(defaults()) {}
 
 bool Parameters::applies(std::size_t row) const {
-  return std::ranges::all_of(resolved_conditions()[row], [&](const ResolvedCondition& condition) {
-    const auto* choice = std::get_if<std::string>(&values_[condition.row]);
-    return (choice != nullptr && *choice == condition.value) == condition.is;
-  });
+  return std::ranges::all_of(conditions_by_row()[row],
+                             [&](const RowCondition& condition) { return condition.holds(values_[condition.row]); });
 }
 
 std::string to_json(const Parameters& parameters) {

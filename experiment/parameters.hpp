@@ -11,20 +11,23 @@
 
 namespace lamprey::experiment {
 
-/// The value of one parameter. Choices are text, whole numbers int64, real numbers double (always finite).
+/// The value of one parameter. Choices and schedules are text, whole numbers int64, real numbers double (always
+/// finite).
 using Value = std::variant<std::int64_t, double, std::string>;
 
 /// The one textual form of a value: choices as they are, whole numbers in decimal, reals in the shortest form that
 /// reads back to the same double (std::to_chars). Used in identities, JSON, tables and messages.
 std::string to_text(const Value& value);
 
-enum class ParameterKind : std::uint8_t { choice, integer, real };
+/// A schedule is text: changes of other parameters at given cycles (experiment/schedule.hpp).
+enum class ParameterKind : std::uint8_t { choice, integer, real, schedule };
 
-/// A parameter applies only where another one has (or has not) a value: mutation_size does not apply to the 1/5 rule.
+/// A parameter applies only where another one, a choice of an earlier row, has (or has not) one of some values:
+/// mutation_size does not apply to the 1/5 rule. Where the other does not apply itself, neither does this.
 struct Condition {
   std::string_view parameter;
-  bool is = true;  ///< true: applies if the other equals `value`; false: applies unless it does
-  std::string_view value;
+  bool is = true;  ///< true: applies if the other is one of `values`; false: applies unless it is
+  std::vector<std::string_view> values;
 };
 
 /// One row of the registry: help, validation, grid expansion, the results schema and every label derive from it.
@@ -47,6 +50,22 @@ std::span<const Parameter> registry();
 
 /// The row of that name, or nullptr.
 const Parameter* find_parameter(std::string_view name);
+
+/// A condition that must hold for a row's parameter to apply, with the parameter that it asks for looked up.
+struct RowCondition {
+  std::size_t row;
+  bool is;
+  std::vector<std::string_view> values;
+
+  /// Whether it holds where that parameter, which applies, has the value.
+  bool holds(const Value& value) const;
+
+  bool operator==(const RowCondition&) const = default;
+};
+
+/// All conditions of a row: its own after those of the parameters that they ask for, none twice. The parameter applies
+/// where all of them hold, each asked of the value alone. Thread-safe; they live as long as the program.
+std::span<const RowCondition> conditions_of(std::size_t row);
 
 /// Position of the row in registry(); throws std::out_of_range for an unknown name (a programming error: names from
 /// users are checked with find_parameter).

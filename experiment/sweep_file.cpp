@@ -1,3 +1,6 @@
+#include "experiment/environment_reader.hpp"
+#include "experiment/field_reader.hpp"
+#include "experiment/grid_reader.hpp"
 #include "experiment/sweep.hpp"
 #include "experiment/sweep_validation.hpp"
 #include "experiment/yaml_tree.hpp"
@@ -15,62 +18,49 @@ namespace {
 
 using Kind = YamlNode::Kind;
 
-constexpr std::string_view known_fields[] = {"name", "description", "seed", "base", "grids", "replicates"};
-constexpr std::string_view range_fields[] = {"from", "to", "step"};
+constexpr std::string_view known_fields[] = {"name",        "description", "seed",      "base",
+                                             "environment", "grids",       "replicates"};
 
-template <typename Number>
-std::optional<Number> parse_number(std::string_view text) {
-  Number number{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+template <typename Count>
+std::optional<Count> parse_count(const YamlNode& node) {
+  const auto& text = node.text;
+  const bool leading_zero = text.size() > 1 && text[0] == '0';
+  if (node.kind != Kind::scalar || node.quoted || leading_zero) return std::nullopt;
+  Count count{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return number;
-}
-
-/// Whether YAML readers might take the number for octal: 010 is 8 to some of them.
-bool looks_octal(std::string_view text) {
-  const auto digits = text.starts_with('-') ? text.substr(1) : text;
-  return digits.size() > 1 && digits[0] == '0' && digits[1] >= '0' && digits[1] <= '9';
-}
-
-std::string kind_name(const YamlNode& node) {
-  switch (node.kind) {
-    case Kind::null:
-      return "nothing";
-    case Kind::scalar:
-      return "'" + printable(node.text) + "'";
-    case Kind::list:
-      return "a list";
-    case Kind::mapping:
-      return "a mapping";
-  }
-  return {};
+  return count;
 }
 
 /// Makes a specification of a YAML tree, and remembers where each field stands. What has the wrong shape is noted
 /// here; values that are no numbers where they should be travel as text, for validate() to say what is allowed.
 class SpecificationReader {
  public:
-  explicit SpecificationReader(SweepFile& file) : specification_(file.specification), positions_(file.positions) {}
+  explicit SpecificationReader(SweepFile& file)
+      : specification_(file.specification), positions_(file.positions), fields_(file.positions) {}
 
-  std::vector<Problem> read(const YamlNode& root) {
-    positions_[""] = {root.line, root.column};
+  ReadBefore read(const YamlNode& root) {
+    fields_.place("", root);
     specification_.set_seed(1);
     specification_.set_replicates(1);
-    if (root.kind != Kind::mapping) {
-      refuse("", "a sweep file is a mapping of name, base, grids and so on; this is " + kind_name(root));
-      return findings_.take();
+    if (root.kind == Kind::mapping) {
+      // Samples of axes depend on the seed, wherever it stands.
+      for (const auto& entry : root.entries) {
+        if (entry.key == "seed") read_field(entry);
+      }
+      for (const auto& entry : root.entries) {
+        if (entry.key != "seed") read_field(entry);
+      }
+      add_environment();
+    } else {
+      fields_.refuse("", "a sweep file is a mapping of name, base, grids and so on; this is " + kind_name(root));
     }
-    for (const auto& entry : root.entries) read_field(entry);
-    return findings_.take();
+    return {.problems = fields_.take(), .grid_paths = std::move(grid_paths_)};
   }
 
  private:
-  void place(const std::string& path, const YamlNode& node) { positions_[path] = {node.line, node.column}; }
-
-  void refuse(const std::string& path, std::string message) { findings_.add(path, std::move(message)); }
-
   void read_field(const YamlEntry& entry) {
-    place(entry.key, entry.value);
+    fields_.place(entry.key, entry.value);
     if (entry.key == "name") {
       if (const auto* text = read_text(entry)) specification_.set_name(*text);
     } else if (entry.key == "description") {
@@ -83,8 +73,10 @@ class SpecificationReader {
                                 [&](std::uint32_t replicates) { specification_.set_replicates(replicates); });
     } else if (entry.key == "base") {
       read_base(entry.value);
+    } else if (entry.key == "environment") {
+      environment_ = read_environment(entry.value, fields_);
     } else if (entry.key == "grids") {
-      read_grids(entry.value);
+      read_grids(entry.value, fields_, specification_, grid_paths_);
     } else {
       refuse_unknown(entry);
     }
@@ -92,130 +84,65 @@ class SpecificationReader {
 
   void refuse_unknown(const YamlEntry& entry) {
     const std::string path = printable(entry.key);
-    positions_[path] = {entry.line, entry.column};
-    const std::vector<std::string_view> known(std::begin(known_fields), std::end(known_fields));
-    const std::string nearest = nearest_name(entry.key, known);
+    fields_.place_key(path, entry);
     if (find_parameter(entry.key) != nullptr) {
-      refuse(path, "is a parameter; it belongs under base, or as an axis under grids");
-    } else if (!nearest.empty()) {
-      refuse(path, "unknown field '" + path + "'; did you mean '" + nearest + "'?");
-    } else {
-      refuse(path, "unknown field '" + path + "'; known are name, description, seed, base, grids, replicates");
+      return fields_.refuse(path, "is a parameter; it belongs under base, or as an axis under grids");
     }
+    const std::string hint = nearest_hint(entry.key, {std::begin(known_fields), std::end(known_fields)});
+    std::string known = "; known are";
+    for (const auto field : known_fields) known.append(field == known_fields[0] ? " " : ", ").append(field);
+    fields_.refuse(path, "unknown field '" + path + "'" + (hint.empty() ? known : hint));
   }
 
   const std::string* read_text(const YamlEntry& entry) {
     if (entry.value.kind == Kind::scalar) return &entry.value.text;
-    refuse(entry.key, "takes text; this is " + kind_name(entry.value));
+    fields_.refuse(entry.key, "takes text; this is " + kind_name(entry.value));
     return nullptr;
   }
 
   template <typename Count, typename Use>
   void read_count(const YamlEntry& entry, Count minimum, Count maximum, const Use& use) {
-    const auto& node = entry.value;
-    const auto count = node.kind == Kind::scalar && !node.quoted && !looks_octal(node.text)
-                           ? parse_number<Count>(node.text)
-                           : std::nullopt;
+    const auto count = parse_count<Count>(entry.value);
     if (count && *count >= minimum && *count <= maximum) return use(*count);
-    refuse(entry.key, kind_name(node) + " is not allowed: " + entry.key + " takes a whole number from " +
-                          std::to_string(minimum) + " to " + std::to_string(maximum));
+    fields_.refuse(entry.key, kind_name(entry.value) + " is not allowed: " + entry.key + " takes a whole number from " +
+                                  std::to_string(minimum) + " to " + std::to_string(maximum));
   }
 
   void read_base(const YamlNode& node) {
     if (node.kind != Kind::mapping) {
-      return refuse("base", "takes a mapping of parameters to values; this is " + kind_name(node));
+      return fields_.refuse("base", "takes a mapping of parameters to values; this is " + kind_name(node));
     }
     for (const auto& entry : node.entries) {
       const std::string path = base_path(entry.key);
-      const Parameter* parameter = place_parameter(path, entry, entry.value);
+      const Parameter* parameter = find_parameter(entry.key);
+      // An unknown name is looked for at the name, everything else at the value.
+      if (parameter == nullptr) {
+        fields_.place_key(path, entry);
+      } else {
+        fields_.place(path, entry.value);
+      }
       auto& setting = *specification_.add_base();
       setting.set_parameter(entry.key);
-      read_value(path, entry.value, parameter, *setting.mutable_value());
+      fields_.read_value(path, entry.value, parameter, *setting.mutable_value());
     }
   }
 
-  void read_grids(const YamlNode& node) {
-    if (node.kind != Kind::list) {
-      return refuse("grids", "takes a list of mappings of parameters to axes; this is " + kind_name(node));
-    }
-    if (node.items.empty()) refuse("grids", "has no grids; leave it out for one job per replicate");
-    for (std::size_t i = 0; i < node.items.size(); ++i) {
-      const auto& item = node.items[i];
-      place(grid_path(i), item);
-      auto& grid = *specification_.add_grids();
-      if (item.kind != Kind::mapping) {
-        refuse(grid_path(i), "a grid is a mapping of parameters to axes; this is " + kind_name(item));
-        continue;
-      }
-      for (const auto& entry : item.entries) read_axis(i, entry, *grid.add_axes());
-    }
-  }
-
-  void read_axis(std::size_t grid, const YamlEntry& entry, idl::Axis& axis) {
-    const std::string path = axis_path(grid, entry.key);
-    YamlNode key_place;
-    key_place.line = entry.line;
-    key_place.column = entry.column;
-    const Parameter* parameter = place_parameter(path, entry, key_place);
-    axis.set_parameter(entry.key);
-    if (entry.value.kind == Kind::mapping) return read_range(path, entry.value, parameter, *axis.mutable_range());
-    if (entry.value.kind == Kind::list) {
-      for (std::size_t i = 0; i < entry.value.items.size(); ++i) {
-        place(value_path(path, i), entry.value.items[i]);
-        read_value(value_path(path, i), entry.value.items[i], parameter, *axis.add_values());
-      }
-      return;
-    }
-    place(value_path(path, 0), entry.value);
-    read_value(value_path(path, 0), entry.value, parameter, *axis.add_values());
-  }
-
-  void read_range(const std::string& path, const YamlNode& node, const Parameter* parameter, idl::Range& range) {
-    for (const auto& entry : node.entries) {
-      const std::string part = path + "." + printable(entry.key);
-      place(part, entry.value);
-      if (entry.key == "from") {
-        read_value(part, entry.value, parameter, *range.mutable_from());
-      } else if (entry.key == "to") {
-        read_value(part, entry.value, parameter, *range.mutable_to());
-      } else if (entry.key == "step") {
-        read_value(part, entry.value, parameter, *range.mutable_step());
-      } else {
-        positions_[part] = {entry.line, entry.column};
-        const std::vector<std::string_view> known(std::begin(range_fields), std::end(range_fields));
-        const std::string nearest = nearest_name(entry.key, known);
-        refuse(part, "a range has from, to and step" +
-                         (nearest.empty() ? std::string() : "; did you mean '" + nearest + "'?"));
-      }
-    }
-  }
-
-  /// The parameter that an entry names. An unknown name is looked for at the name, everything else at `usual`.
-  const Parameter* place_parameter(const std::string& path, const YamlEntry& entry, const YamlNode& usual) {
-    const Parameter* parameter = find_parameter(entry.key);
-    positions_[path] =
-        parameter == nullptr ? SourcePosition{entry.line, entry.column} : SourcePosition{usual.line, usual.column};
-    return parameter;
-  }
-
-  void read_value(const std::string& path, const YamlNode& node, const Parameter* parameter, idl::Value& value) {
-    if (node.kind == Kind::list || node.kind == Kind::mapping) {
-      return refuse(path, "takes a single value; this is " + kind_name(node));
-    }
-    if (node.kind == Kind::null) return;
-    const bool number =
-        parameter != nullptr && parameter->kind != ParameterKind::choice && !node.quoted && !looks_octal(node.text);
-    if (number && parameter->kind == ParameterKind::integer) {
-      if (const auto integer = parse_number<std::int64_t>(node.text)) return value.set_integer(*integer);
-    } else if (number) {
-      if (const auto real = parse_number<double>(node.text)) return value.set_real(*real);
-    }
-    value.set_text(node.text);
+  /// The changes of the environment are a setting of the base.
+  void add_environment() {
+    if (!environment_) return;
+    const std::string path = base_path("environment");
+    if (positions_.contains(path)) return fields_.refuse("environment", "is set in base too; keep one of them");
+    positions_[path] = positions_["environment"];
+    auto& setting = *specification_.add_base();
+    setting.set_parameter("environment");
+    setting.mutable_value()->set_text(*environment_);
   }
 
   idl::SweepSpecification& specification_;
   SourceMap& positions_;
-  Findings findings_{{}};
+  FieldReader fields_;
+  std::optional<std::string> environment_;
+  std::vector<std::string> grid_paths_;
 };
 
 /// Where the field stands, or the nearest field that holds it.
@@ -244,8 +171,8 @@ SweepFile parse_sweep(const std::string& yaml, const std::string& file) {
   std::vector<Problem> problems;
   const YamlNode root = parse_yaml(yaml, file, problems);
   SweepFile result;
-  auto found = SpecificationReader(result).read(root);
-  if (root.kind == Kind::mapping) found = validate(result.specification, std::move(found));
+  auto read = SpecificationReader(result).read(root);
+  auto found = root.kind == Kind::mapping ? validate(result.specification, std::move(read)) : std::move(read.problems);
   for (auto& problem : found) {
     const auto [line, column] = position_of(result.positions, problem.field);
     problem.file = file;

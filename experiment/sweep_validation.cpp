@@ -1,40 +1,16 @@
 #include "experiment/sweep_validation.hpp"
 
-#include "experiment/sweep_grid.hpp"
+#include "experiment/sweep_cells.hpp"
+#include "experiment/typed_value.hpp"
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <set>
 
 namespace lamprey::experiment {
 
 namespace {
-
-/// The values that each parameter takes in one grid, by registry row: those of its axis, else the one of the base,
-/// else the default. A grid is the Cartesian product of them.
-struct GridValues {
-  std::vector<std::vector<Value>> values;
-  std::vector<bool> is_axis;
-};
-
-std::string setting_text(const Parameter& parameter, const Value& value) {
-  return std::string(parameter.name) + " " + to_text(value);
-}
-
-std::string condition_text(const Parameter& parameter) {
-  std::string text = "it applies";
-  const char* joint = " ";
-  for (const auto& condition : parameter.applies_when) {
-    text += joint + std::string(condition.is ? "where " : "unless ") + std::string(condition.parameter) + " is " +
-            std::string(condition.value);
-    joint = " and ";
-  }
-  return text;
-}
-
-// ---- single fields
 
 void check_heading(const idl::SweepSpecification& specification, Findings& findings) {
   const auto& name = specification.name();
@@ -63,21 +39,6 @@ void check_heading(const idl::SweepSpecification& specification, Findings& findi
                                    " is out of range: replicates takes a whole number from 1 to " +
                                    std::to_string(maximum_replicates));
   }
-}
-
-std::string unknown_parameter(std::string_view name) {
-  std::vector<std::string_view> known;
-  for (const auto& parameter : registry()) known.push_back(parameter.name);
-  std::string message = "unknown parameter '" + printable(name) + "'";
-  if (const auto nearest = nearest_name(name, known); !nearest.empty())
-    return message + "; did you mean '" + nearest + "'?";
-  message += "; known are";
-  const char* joint = " ";
-  for (const auto candidate : known) {
-    message.append(joint).append(candidate);
-    joint = ", ";
-  }
-  return message;
 }
 
 /// The base's values by row.
@@ -117,7 +78,7 @@ std::optional<Value> checked(const TypedValue& typed, const std::string& path, F
 /// The values of a range, or none after its problems have been noted. `room`: how many more values the sweep may have.
 std::vector<Value> check_range(const Parameter& parameter, const idl::Range& range, const std::string& path,
                                std::uint64_t room, Findings& findings) {
-  if (parameter.kind == ParameterKind::choice) {
+  if (!is_number(parameter.kind)) {
     findings.add(path, "a range needs numbers: " + std::string(parameter.name) + " takes " + allowed_values(parameter));
     return {};
   }
@@ -179,20 +140,21 @@ std::vector<Value> check_axis(const Parameter& parameter, const idl::Axis& axis,
 }
 
 GridValues defaults_and(const std::map<std::size_t, Value>& base) {
-  GridValues grid;
+  GridValues grid{.path = grid_path(0), .values = {}, .is_axis = {}};
   for (const auto& parameter : registry()) grid.values.push_back({parameter.default_value});
   for (const auto& [row, value] : base) grid.values[row] = {value};
   grid.is_axis.resize(registry().size());
   return grid;
 }
 
-GridValues check_grid(const idl::Grid& grid, std::size_t number, const std::map<std::size_t, Value>& base,
+GridValues check_grid(const idl::Grid& grid, const std::string& grid_path, const std::map<std::size_t, Value>& base,
                       std::uint64_t& room, Findings& findings) {
   GridValues result = defaults_and(base);
-  if (grid.axes().empty()) findings.add(grid_path(number), "has no axes; leave it out, or give it at least one");
+  result.path = grid_path;
+  if (grid.axes().empty()) findings.add(grid_path, "has no axes; leave it out, or give it at least one");
   for (const auto& axis : grid.axes()) {
     if (findings.full()) break;
-    const std::string path = axis_path(number, axis.parameter());
+    const std::string path = axis_path(grid_path, axis.parameter());
     const Parameter* parameter = find_parameter(axis.parameter());
     if (parameter == nullptr) {
       findings.add(path, unknown_parameter(axis.parameter()));
@@ -208,215 +170,6 @@ GridValues check_grid(const idl::Grid& grid, std::size_t number, const std::map<
   return result;
 }
 
-// ---- what it takes several fields to see
-
-bool holds(const Condition& condition, const Value& value) {
-  return (std::get<std::string>(value) == condition.value) == condition.is;
-}
-
-/// A value of the grid under which the parameter does not apply, with its row; nothing if it applies in every cell.
-std::optional<std::pair<std::size_t, Value>> where_not_applying(const Parameter& parameter, const GridValues& grid) {
-  for (const auto& condition : parameter.applies_when) {
-    const std::size_t row = parameter_index(condition.parameter);
-    for (const auto& value : grid.values[row]) {
-      if (!holds(condition, value)) return std::pair{row, value};
-    }
-  }
-  return std::nullopt;
-}
-
-/// Whether the parameter applies in any cell: its axes are independent, so each parameter that it depends on must
-/// have a value for which all conditions on that parameter hold.
-bool applies_somewhere(const Parameter& parameter, const GridValues& grid) {
-  return std::ranges::all_of(parameter.applies_when, [&](const Condition& condition) {
-    return std::ranges::any_of(grid.values[parameter_index(condition.parameter)], [&](const Value& value) {
-      return std::ranges::all_of(parameter.applies_when, [&](const Condition& other) {
-        return other.parameter != condition.parameter || holds(other, value);
-      });
-    });
-  });
-}
-
-void check_axes_apply(const GridValues& grid, std::size_t number, Findings& findings) {
-  for (std::size_t row = 0; row < registry().size(); ++row) {
-    const Parameter& parameter = registry()[row];
-    if (!grid.is_axis[row]) continue;
-    const std::string path = axis_path(number, parameter.name);
-    const auto exception = where_not_applying(parameter, grid);
-    if (!exception) continue;
-    const std::string where = setting_text(registry()[exception->first], exception->second);
-    if (!applies_somewhere(parameter, grid)) {
-      findings.add(path, "applies nowhere in this grid, which has " + where + ": " + condition_text(parameter));
-    } else if (grid.values[row].size() > 1) {
-      findings.add(path, "would repeat jobs, since it does not apply to " + where + ": " + condition_text(parameter) +
-                             "; give " + where + " a grid of its own");
-    }
-  }
-}
-
-using ValuePair = std::pair<Value, Value>;
-
-/// A rule between two parameters: finds, among the sorted values that each takes, a pair that is refused.
-struct Contradiction {
-  std::string_view first;
-  std::string_view second;
-  std::optional<ValuePair> (*find)(const std::vector<Value>&, const std::vector<Value>&);
-  std::string_view reason;
-};
-
-/// The one place for rules between parameters.
-constexpr Contradiction contradictions[] = {
-    {"step_variance", "objective",
-     [](const std::vector<Value>& variances, const std::vector<Value>& objectives) -> std::optional<ValuePair> {
-       const ValuePair refused{"root_error", "maximise"};
-       if (!std::ranges::binary_search(variances, refused.first)) return std::nullopt;
-       if (!std::ranges::binary_search(objectives, refused.second)) return std::nullopt;
-       return refused;
-     },
-     "the root of the error needs a target: under maximise the error is minus the fitness"},
-    {"minimum_standard_deviation", "maximum_standard_deviation",
-     [](const std::vector<Value>& minima, const std::vector<Value>& maxima) -> std::optional<ValuePair> {
-       if (minima.back() <= maxima.front()) return std::nullopt;
-       return ValuePair{minima.back(), maxima.front()};
-     },
-     "the minimum must not be above the maximum"},
-};
-
-void check_contradictions(const GridValues& grid, std::size_t number, Findings& findings) {
-  for (const auto& rule : contradictions) {
-    const std::size_t first = parameter_index(rule.first);
-    const std::size_t second = parameter_index(rule.second);
-    if (!applies_somewhere(registry()[first], grid) || !applies_somewhere(registry()[second], grid)) continue;
-    const auto refused = rule.find(grid.values[first], grid.values[second]);
-    if (!refused) continue;
-    const std::string path = grid.is_axis[first]    ? axis_path(number, rule.first)
-                             : grid.is_axis[second] ? axis_path(number, rule.second)
-                                                    : base_path(rule.first);
-    findings.add(path, setting_text(registry()[first], refused->first) + " contradicts " +
-                           setting_text(registry()[second], refused->second) + ": " + std::string(rule.reason));
-  }
-}
-
-void check_base_applies(const idl::SweepSpecification& specification, const std::vector<GridValues>& grids,
-                        Findings& findings) {
-  for (const auto& setting : specification.base()) {
-    const Parameter& parameter = *find_parameter(setting.parameter());
-    const bool applies =
-        std::ranges::any_of(grids, [&](const GridValues& grid) { return applies_somewhere(parameter, grid); });
-    if (!applies) {
-      findings.add(base_path(parameter.name), "applies to no job of this sweep: " + condition_text(parameter));
-    }
-  }
-}
-
-/// Rows that other parameters' conditions ask for. They always apply themselves (the registry's test says so).
-const std::vector<std::size_t>& condition_rows() {
-  static const std::vector<std::size_t> rows = [] {
-    std::set<std::size_t> found;
-    for (const auto& parameter : registry()) {
-      for (const auto& condition : parameter.applies_when) found.insert(parameter_index(condition.parameter));
-    }
-    return std::vector<std::size_t>(found.begin(), found.end());
-  }();
-  return rows;
-}
-
-/// The values that both sorted lists have.
-std::vector<Value> common_values(const std::vector<Value>& a, const std::vector<Value>& b) {
-  std::vector<Value> common;
-  std::ranges::set_intersection(a, b, std::back_inserter(common));
-  return common;
-}
-
-/// A job that two grids (with sorted values) both have, or nothing.
-/// Two cells are the same job if the same parameters apply and have the same values. Which apply is decided by the few
-/// parameters that conditions ask for, so it suffices to try those of their values that both grids have; every other
-/// parameter either does not apply then or needs one common value.
-class CommonJob {
- public:
-  CommonJob(const GridValues& a, const GridValues& b) {
-    for (std::size_t row = 0; row < registry().size(); ++row)
-      common_.push_back(common_values(a.values[row], b.values[row]));
-  }
-
-  std::optional<Parameters> find() { return find_from(0) ? std::optional(job_) : std::nullopt; }
-
- private:
-  bool find_from(std::size_t condition) {
-    if (condition == condition_rows().size()) return completes();
-    const std::size_t row = condition_rows()[condition];
-    return std::ranges::any_of(common_[row], [&](const Value& value) {
-      job_.set(row, value);
-      return find_from(condition + 1);
-    });
-  }
-
-  bool completes() {
-    for (std::size_t row = 0; row < registry().size(); ++row) {
-      if (std::ranges::binary_search(condition_rows(), row) || !job_.applies(row)) continue;
-      if (common_[row].empty()) return false;
-      job_.set(row, common_[row].front());
-    }
-    return true;
-  }
-
-  std::vector<std::vector<Value>> common_;
-  Parameters job_;
-};
-
-void check_overlap(const std::vector<GridValues>& grids, std::size_t a, std::size_t b, Findings& findings) {
-  const auto job = CommonJob(grids[a], grids[b]).find();
-  if (!job) return;
-  std::string cell;
-  for (std::size_t row = 0; row < registry().size(); ++row) {
-    if ((!grids[a].is_axis[row] && !grids[b].is_axis[row]) || !job->applies(row)) continue;
-    cell += (cell.empty() ? "" : ", ") + setting_text(registry()[row], (*job)[row]);
-  }
-  findings.add(grid_path(b),
-               "has jobs that " + grid_path(a) + " has too (such as " + cell + "); a sweep runs each job once");
-}
-
-void check_job_count(const std::vector<GridValues>& grids, std::uint64_t replicates, Findings& findings) {
-  bool huge = false;
-  const auto times = [&](std::uint64_t a, std::uint64_t b) {
-    std::uint64_t product = 0;
-    huge = __builtin_mul_overflow(a, b, &product) || huge;
-    return product;
-  };
-  std::uint64_t cells = 0;
-  for (const auto& grid : grids) {
-    const std::uint64_t product =
-        std::accumulate(grid.values.begin(), grid.values.end(), std::uint64_t{1},
-                        [&](std::uint64_t sum, const auto& v) { return times(sum, v.size()); });
-    huge = __builtin_add_overflow(cells, product, &cells) || huge;
-  }
-  const bool too_many_cells = huge || cells > maximum_jobs;
-  const std::uint64_t jobs = times(cells, replicates);
-  if (!huge && jobs <= maximum_jobs) return;
-  findings.add(too_many_cells ? "grids" : "replicates",
-               "the sweep would have " + (huge ? "more than 10^19" : std::to_string(jobs)) + " jobs; at most " +
-                   std::to_string(maximum_jobs) + " are allowed");
-}
-
-void check_together(const idl::SweepSpecification& specification, std::vector<GridValues> grids, Findings& findings) {
-  std::vector<std::size_t> sound;
-  for (std::size_t i = 0; i < grids.size(); ++i) {
-    if (!findings.any_within(grid_path(i))) sound.push_back(i);
-    for (auto& values : grids[i].values) std::ranges::sort(values);
-  }
-  const bool all_sound = !findings.any_within("grids");
-  for (const std::size_t i : sound) {
-    check_axes_apply(grids[i], i, findings);
-    check_contradictions(grids[i], i, findings);
-  }
-  for (std::size_t i = 1; i < sound.size(); ++i) {
-    for (std::size_t j = 0; j < i && !findings.full(); ++j) check_overlap(grids, sound[j], sound[i], findings);
-  }
-  if (!all_sound) return;
-  check_base_applies(specification, grids, findings);
-  if (!findings.any_within("replicates")) check_job_count(grids, specification.replicates(), findings);
-}
-
 }  // namespace
 
 std::string base_path(std::string_view parameter) {
@@ -425,15 +178,25 @@ std::string base_path(std::string_view parameter) {
 std::string grid_path(std::size_t grid) {
   return "grids[" + std::to_string(grid) + "]";
 }
-std::string axis_path(std::size_t grid, std::string_view parameter) {
-  return grid_path(grid) + "." + printable(parameter);
+std::string axis_path(const std::string& grid_path, std::string_view parameter) {
+  return grid_path + "." + printable(parameter);
 }
 std::string value_path(const std::string& axis_path, std::size_t value) {
   return axis_path + "[" + std::to_string(value) + "]";
 }
 
-std::vector<Problem> validate(const idl::SweepSpecification& specification, std::vector<Problem> found) {
-  Findings findings(std::move(found));
+std::string unknown_parameter(std::string_view name) {
+  std::vector<std::string_view> known;
+  for (const auto& parameter : registry()) known.push_back(parameter.name);
+  const std::string message = "unknown parameter '" + printable(name) + "'";
+  if (const auto nearest = nearest_name(name, known); !nearest.empty()) {
+    return message + "; did you mean '" + nearest + "'?";
+  }
+  return message + "; `lamprey parameters` lists all";
+}
+
+std::vector<Problem> validate(const idl::SweepSpecification& specification, ReadBefore before) {
+  Findings findings(std::move(before.problems));
   check_heading(specification, findings);
   const auto base = check_base(specification, findings);
   if (specification.grids_size() > maximum_grids) {
@@ -444,9 +207,12 @@ std::vector<Problem> validate(const idl::SweepSpecification& specification, std:
   std::vector<GridValues> grids;
   std::uint64_t room = maximum_axis_values;
   for (const auto& grid : specification.grids()) {
-    grids.push_back(check_grid(grid, grids.size(), base, room, findings));
+    const std::size_t i = grids.size();
+    grids.push_back(
+        check_grid(grid, i < before.grid_paths.size() ? before.grid_paths[i] : grid_path(i), base, room, findings));
   }
-  if (grids.empty()) grids.push_back(defaults_and(base));
+  // Without grids the base is the only cell; but there may be grids that could not be read.
+  if (grids.empty() && !findings.any_within("grids")) grids.push_back(defaults_and(base));
   // A wrong value of the base is wrong in every grid: nothing can be said about cells then. Nor where checking stopped
   // early, since axes are incomplete.
   if (!findings.full() && !findings.any_within("base")) check_together(specification, std::move(grids), findings);
@@ -454,7 +220,7 @@ std::vector<Problem> validate(const idl::SweepSpecification& specification, std:
 }
 
 std::vector<Problem> validate(const idl::SweepSpecification& specification) {
-  return validate(specification, {});
+  return validate(specification, ReadBefore{});
 }
 
 }  // namespace lamprey::experiment

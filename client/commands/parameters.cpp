@@ -6,6 +6,7 @@
 #include "client/option_checks.hpp"
 #include "client/output/formatting.hpp"
 #include "client/output/table.hpp"
+#include "experiment/schedule.hpp"
 
 #include <memory>
 #include <string>
@@ -27,9 +28,23 @@ experiment::Value bound(const Parameter& parameter, double value) {
   return value;
 }
 
+std::vector<std::string> changeable_names() {
+  std::vector<std::string> names;
+  for (const std::size_t row : experiment::environment_rows()) names.emplace_back(experiment::registry()[row].name);
+  return names;
+}
+
+std::string default_text(const Parameter& parameter) {
+  const std::string text = experiment::to_text(parameter.default_value);
+  return text.empty() ? "none" : text;
+}
+
 std::string range_text(const Parameter& parameter) {
   if (parameter.kind == ParameterKind::choice) {
     return output::joined({parameter.choices.begin(), parameter.choices.end()}, ", ");
+  }
+  if (parameter.kind == ParameterKind::schedule) {
+    return "changes at cycles of " + output::joined(changeable_names(), ", ");
   }
   return experiment::to_text(bound(parameter, parameter.minimum)) + " to " +
          experiment::to_text(bound(parameter, parameter.maximum));
@@ -39,7 +54,8 @@ std::string applies_text(const Parameter& parameter) {
   std::string text;
   for (const auto& condition : parameter.applies_when) {
     if (!text.empty()) text += " and ";
-    text += std::string(condition.parameter) + (condition.is ? " is " : " is not ") + std::string(condition.value);
+    text += std::string(condition.parameter) + (condition.is ? " is " : " is not ") +
+            output::joined({condition.values.begin(), condition.values.end()}, " or ");
   }
   return text.empty() ? "always" : text;
 }
@@ -52,6 +68,8 @@ std::string kind_name(ParameterKind kind) {
       return "integer";
     case ParameterKind::real:
       return "real";
+    case ParameterKind::schedule:
+      return "schedule";
   }
   return {};
 }
@@ -64,6 +82,8 @@ Json json_of(const Parameter& parameter) {
                {"default", as_json(parameter.default_value)}};
   if (parameter.kind == ParameterKind::choice) {
     json["choices"] = parameter.choices;
+  } else if (parameter.kind == ParameterKind::schedule) {
+    json["changes"] = changeable_names();
   } else {
     json["minimum"] = as_json(bound(parameter, parameter.minimum));
     json["maximum"] = as_json(bound(parameter, parameter.maximum));
@@ -71,7 +91,7 @@ Json json_of(const Parameter& parameter) {
   json["applies_when"] = Json::array();
   for (const auto& condition : parameter.applies_when) {
     json["applies_when"].push_back(
-        {{"parameter", condition.parameter}, {"is", condition.is}, {"value", condition.value}});
+        {{"parameter", condition.parameter}, {"is", condition.is}, {"values", condition.values}});
   }
   json["source"] = parameter.source;
   return json;
@@ -95,7 +115,7 @@ std::vector<const Parameter*> chosen(const std::vector<std::string>& names) {
 ExitCode parameters(const Options& options, const Context& context) {
   const auto rows = chosen(options.names);
   if (context.format == Format::json) {
-    Json json = document("parameters");
+    Json json = document("parameters", 2);
     json["science_version"] = experiment::science_version;
     json["parameters"] = Json::array();
     for (const auto* row : rows) json["parameters"].push_back(json_of(*row));
@@ -104,8 +124,8 @@ ExitCode parameters(const Options& options, const Context& context) {
   }
   output::Table table({{"name"}, {"default"}, {"unit"}, {"takes"}, {"applies when"}});
   for (const auto* row : rows) {
-    table.add({std::string(row->name), experiment::to_text(row->default_value), std::string(row->unit),
-               range_text(*row), applies_text(*row)});
+    table.add(
+        {std::string(row->name), default_text(*row), std::string(row->unit), range_text(*row), applies_text(*row)});
     table.note(std::string(row->meaning) + " [" + std::string(row->source) + "]");
   }
   table.print(context.console);

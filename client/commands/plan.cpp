@@ -18,6 +18,12 @@ struct Options {
   std::string file;
 };
 
+/// A value; an environment that never changes has no text of its own.
+std::string shown(const experiment::Value& value) {
+  const std::string text = experiment::to_text(value);
+  return text.empty() ? "none" : text;
+}
+
 std::string parameter_name(const SweepGrid::Axis& axis) {
   return std::string(experiment::registry()[axis.parameter].name);
 }
@@ -82,7 +88,7 @@ void print_grid(const output::Console& console, std::size_t number, const SweepG
   constexpr std::size_t name_and_count = 40;
   for (const auto& axis : grid.axes) {
     std::vector<std::string> values;
-    for (const auto& value : axis.values) values.push_back(experiment::to_text(value));
+    for (const auto& value : axis.values) values.push_back(shown(value));
     table.add({parameter_name(axis), output::with_thousands(values.size()),
                output::list_in_short(values, console.columns - name_and_count, console.ellipsis())});
   }
@@ -96,7 +102,7 @@ void print_jobs(const output::Console& console, const experiment::Job& first, co
   const auto registry = experiment::registry();
   for (std::size_t row = 0; row < registry.size(); ++row) {
     const auto cell = [&](const experiment::Job& job) {
-      return job.parameters.applies(row) ? experiment::to_text(job.parameters[row]) : std::string("-");
+      return job.parameters.applies(row) ? shown(job.parameters[row]) : std::string("-");
     };
     if (!first.parameters.applies(row) && !last.parameters.applies(row)) continue;
     table.add({std::string(registry[row].name), cell(first), cell(last)});

@@ -1,5 +1,6 @@
 #include "experiment/parameters.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <limits>
 #include <stdexcept>
@@ -56,6 +57,49 @@ TEST(Parameters, ApplyAsTheirConditionsSay) {
   EXPECT_TRUE(applies("step_variance"));
 }
 
+TEST(Parameters, DoNotApplyWhereWhatTheyAskForDoesNot) {
+  Parameters parameters;
+  const auto applies = [&](const char* name) { return parameters.applies(parameter_index(name)); };
+  parameters.set("acceptance", "annealing");
+  parameters.set("trainer", "hybrid");
+  EXPECT_TRUE(applies("acceptance"));
+  EXPECT_TRUE(applies("temperature"));
+  parameters.set("trainer", "genetic_algorithm");  // has no acceptance, whatever its value
+  EXPECT_FALSE(applies("acceptance"));
+  EXPECT_FALSE(applies("temperature"));
+  EXPECT_FALSE(applies("mutation_size")) << "steps does not apply, so that it isn't one_fifth_rule decides nothing";
+  parameters.set("selection", "tournament");
+  EXPECT_TRUE(applies("tournament_size"));
+  parameters.set("trainer", "rtea");
+  EXPECT_FALSE(applies("tournament_size"));
+}
+
+TEST(Parameters, ApplyWhereAConditionNamesOneOfSeveralValues) {
+  Parameters parameters;
+  const auto applies = [&](const char* name) { return parameters.applies(parameter_index(name)); };
+  EXPECT_TRUE(applies("gait"));
+  EXPECT_FALSE(applies("neuron"));
+  parameters.set("network", "feed_forward_pair");
+  EXPECT_FALSE(applies("gait"));
+  EXPECT_TRUE(applies("neuron"));
+  parameters.set("network", "recurrent_pair");
+  EXPECT_FALSE(applies("gait"));
+  EXPECT_TRUE(applies("neuron"));
+}
+
+TEST(ConditionsOf, HasThoseOfWhatIsAskedForFirstAndNoneTwice) {
+  for (std::size_t row = 0; row < registry().size(); ++row) {
+    const auto conditions = conditions_of(row);
+    for (std::size_t i = 0; i < conditions.size(); ++i) {
+      EXPECT_EQ(std::ranges::count(conditions, conditions[i]), 1) << registry()[row].name;
+      for (const auto& asked : conditions_of(conditions[i].row)) {
+        EXPECT_LT(std::ranges::find(conditions, asked) - conditions.begin(), static_cast<std::ptrdiff_t>(i))
+            << registry()[row].name;
+      }
+    }
+  }
+}
+
 TEST(CanonicalText, IsEmptyForDefaults) {
   EXPECT_EQ(canonical_text(Parameters()), "");
 }
@@ -85,11 +129,15 @@ TEST(CanonicalText, DoesNotDependOnWhatDoesNotApply) {
 }
 
 TEST(ToJson, HasWhatAppliesInTheRegistrysOrder) {
-  EXPECT_EQ(to_json(Parameters()),
-            R"({"robot":"quadruped","network":"four_mother","gait":"walk","mutation":"all","steps":"uniform",)"
-            R"("acceptance":"simple","equilibrium_disturbance":50,"mutation_size":50,"system_disturbance":100,)"
-            R"("required_stability":100,"required_distance":100,"required_fuel":100,"cycles":1000,"time_steps":100,)"
-            R"("objective":"target","criterion":"per_component","posture":"reset"})");
+  Parameters parameters;
+  parameters.set("network", "tonic");
+  parameters.set("mutation", "one");
+  EXPECT_EQ(to_json(parameters),
+            R"({"robot":"quadruped","network":"tonic","gait":"walk","tonic_genes":"tonic","actuator":"unit_move",)"
+            R"("trainer":"rtea","mutation":"one","required_stability":100,"required_distance":100,)"
+            R"("required_fuel":100,"push_factor":1,"ground_level_front_left":10,"ground_level_front_right":10,)"
+            R"("ground_level_back_left":10,"ground_level_back_right":10,"cycles":1000,"time_steps":100,)"
+            R"("record":"changes"})");
 }
 
 TEST(ToJson, WritesRealsShortestAndEscapesText) {

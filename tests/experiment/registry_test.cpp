@@ -11,8 +11,6 @@
 namespace lamprey::experiment {
 namespace {
 
-using testing::ElementsAre;
-
 template <typename Number>
 Number parse(const std::string& text) {
   Number number{};
@@ -25,12 +23,60 @@ Number parse(const std::string& text) {
 TEST(Registry, HasItsParametersInTheOrderInWhichPeopleReadThem) {
   std::vector<std::string_view> names;
   for (const auto& parameter : registry()) names.push_back(parameter.name);
-  EXPECT_THAT(names,
-              ElementsAre("robot", "network", "gait", "mutation", "steps", "acceptance", "equilibrium_disturbance",
-                          "mutation_size", "system_disturbance", "required_stability", "required_distance",
-                          "required_fuel", "cycles", "time_steps", "objective", "criterion", "posture", "temperature",
-                          "cooling", "step_variance", "first_standard_deviation", "success_window",
-                          "standard_deviation_factor", "minimum_standard_deviation", "maximum_standard_deviation"));
+  EXPECT_THAT(names, testing::ElementsAreArray({"robot",
+                                                "network",
+                                                "neuron",
+                                                "weight_range",
+                                                "gait",
+                                                "delay_refirings",
+                                                "tonic_genes",
+                                                "actuator",
+                                                "integrator_time_constant",
+                                                "actuator_stroke",
+                                                "reflex_gain",
+                                                "reflex_damping",
+                                                "trainer",
+                                                "mutation",
+                                                "steps",
+                                                "acceptance",
+                                                "equilibrium_disturbance",
+                                                "mutation_size",
+                                                "system_disturbance",
+                                                "required_stability",
+                                                "required_distance",
+                                                "required_fuel",
+                                                "push_factor",
+                                                "ground_level_front_left",
+                                                "ground_level_front_right",
+                                                "ground_level_back_left",
+                                                "ground_level_back_right",
+                                                "cycles",
+                                                "time_steps",
+                                                "objective",
+                                                "criterion",
+                                                "posture",
+                                                "environment",
+                                                "record",
+                                                "temperature",
+                                                "cooling",
+                                                "step_variance",
+                                                "first_standard_deviation",
+                                                "success_window",
+                                                "standard_deviation_factor",
+                                                "minimum_standard_deviation",
+                                                "maximum_standard_deviation",
+                                                "mutation_rate",
+                                                "population",
+                                                "selection",
+                                                "tournament_size",
+                                                "crossover",
+                                                "blend_alpha",
+                                                "strategy",
+                                                "offspring",
+                                                "first_step",
+                                                "first_temperature",
+                                                "temperature_factor",
+                                                "hybrid_share"}));
 }
 
 TEST(Registry, NamesAreSnakeCaseAndUnique) {
@@ -73,6 +119,10 @@ TEST(Registry, DefaultsAreOfTheirKindAndWithinTheirRange) {
       continue;
     }
     EXPECT_TRUE(parameter.choices.empty());
+    if (parameter.kind == ParameterKind::schedule) {
+      EXPECT_EQ(std::get<std::string>(parameter.default_value), "") << "never changes";
+      continue;
+    }
     EXPECT_LT(parameter.minimum, parameter.maximum);
     const double value = parameter.kind == ParameterKind::integer
                              ? static_cast<double>(std::get<std::int64_t>(parameter.default_value))
@@ -92,15 +142,30 @@ TEST(Registry, ChoicesNeedNoQuoting) {
   }
 }
 
-// The search for overlapping grids relies on it: what decides about others applies always.
-TEST(Registry, ConditionsNameChoicesOfParametersThatAlwaysApply) {
-  for (const auto& parameter : registry()) {
-    for (const auto& condition : parameter.applies_when) {
+// Which parameters apply is decided in one pass over the rows.
+TEST(Registry, ConditionsNameChoicesOfEarlierRows) {
+  for (std::size_t row = 0; row < registry().size(); ++row) {
+    SCOPED_TRACE(registry()[row].name);
+    for (const auto& condition : registry()[row].applies_when) {
       const Parameter* other = find_parameter(condition.parameter);
       ASSERT_NE(other, nullptr) << condition.parameter;
+      EXPECT_LT(parameter_index(condition.parameter), row) << condition.parameter;
       EXPECT_EQ(other->kind, ParameterKind::choice);
-      EXPECT_TRUE(other->applies_when.empty());
-      EXPECT_NE(std::ranges::find(other->choices, condition.value), other->choices.end()) << condition.value;
+      EXPECT_FALSE(condition.values.empty());
+      for (const auto value : condition.values) {
+        EXPECT_NE(std::ranges::find(other->choices, value), other->choices.end()) << value;
+      }
+    }
+  }
+}
+
+TEST(Registry, HasNoConditionThatNeverFailsOrNeverHolds) {
+  for (const auto& parameter : registry()) {
+    SCOPED_TRACE(parameter.name);
+    for (const auto& condition : parameter.applies_when) {
+      const std::set<std::string_view> values(condition.values.begin(), condition.values.end());
+      EXPECT_EQ(values.size(), condition.values.size()) << condition.parameter;
+      EXPECT_LT(values.size(), find_parameter(condition.parameter)->choices.size()) << condition.parameter;
     }
   }
 }
@@ -137,6 +202,7 @@ std::string values_column(const Parameter& parameter) {
     for (const auto choice : parameter.choices) text += (text.empty() ? "`" : ", `") + std::string(choice) + "`";
     return text;
   }
+  if (parameter.kind == ParameterKind::schedule) return "schedule ([sweep_file.md](sweep_file.md))";
   if (parameter.kind == ParameterKind::integer) {
     text = "whole, " + to_text(Value(static_cast<std::int64_t>(parameter.minimum))) + " to " +
            to_text(Value(static_cast<std::int64_t>(parameter.maximum)));
@@ -150,16 +216,19 @@ std::string applies_column(const Parameter& parameter) {
   std::string text;
   for (const auto& condition : parameter.applies_when) {
     if (!text.empty()) text += " and ";
-    text += (condition.is ? "if `" : "unless `") + std::string(condition.parameter) + "` is `" +
-            std::string(condition.value) + "`";
+    text += (condition.is ? "if `" : "unless `") + std::string(condition.parameter) + "` is ";
+    for (const auto value : condition.values) {
+      text += (value == condition.values.front() ? "`" : " or `") + std::string(value) + "`";
+    }
   }
   return text.empty() ? "always" : text;
 }
 
 std::string table_row(const Parameter& parameter) {
   return "| `" + std::string(parameter.name) + "` | " + std::string(parameter.meaning) + " | " +
-         values_column(parameter) + " | " + to_text(parameter.default_value) + " | " + applies_column(parameter) +
-         " | " + std::string(parameter.source) + " |";
+         values_column(parameter) + " | " +
+         (to_text(parameter.default_value).empty() ? "none" : to_text(parameter.default_value)) + " | " +
+         applies_column(parameter) + " | " + std::string(parameter.source) + " |";
 }
 
 TEST(Registry, IsWhatItsDocumentationSays) {

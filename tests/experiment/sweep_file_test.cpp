@@ -107,6 +107,56 @@ TEST(SweepFile, OfTheDocumentationHasAsManyJobsAsItSays) {
   EXPECT_EQ(SweepGrid(parse_sweep(example, "sweep_file.md").specification).jobs(), 200U);
 }
 
+TEST(SweepFile, IsValidWhereTheDocumentationShowsHowToWriteOne) {
+  const std::string document = contents(LAMPREY_SOURCE_DIR "/docs/formats/sweep_file.md");
+  const std::string examples = document.substr(0, document.find("## Error messages"));
+  const std::string fence = "```yaml\n";
+  int files = 0;
+  for (auto begin = examples.find(fence); begin != std::string::npos; begin = examples.find(fence, begin + 1)) {
+    const auto start = begin + fence.size();
+    std::string example = examples.substr(start, examples.find("```", start) - start);
+    if (example.starts_with("grids:")) example = "name: a\nbase: {objective: maximise, cycles: 3000}\n" + example;
+    if (!example.starts_with("name:")) continue;
+    EXPECT_NO_THROW(SweepGrid(parse_sweep(example, "sweep_file.md").specification)) << example;
+    ++files;
+  }
+  EXPECT_EQ(files, 5);
+}
+
+// The documentation's first example has a grid of its own for the exception.
+TEST(SweepFile, HasTheSameJobsWithAWhereAsWithAGridForTheException) {
+  const std::string head = "name: a\nbase: {cycles: 9}\ngrids:\n";
+  const SweepGrid plain(
+      parse_sweep(head + "  - {mutation: [all, one], steps: [uniform, normal], mutation_size: [25, 50]}\n"
+                         "  - {mutation: [all, one], steps: one_fifth_rule}\n",
+                  "a")
+          .specification);
+  const SweepGrid composed(parse_sweep(head +
+                                           "  - {mutation: [all, one], steps: [uniform, normal, one_fifth_rule],"
+                                           " mutation_size: {values: [25, 50], where: {steps: [uniform, normal]}}}\n",
+                                       "a")
+                               .specification);
+  ASSERT_EQ(plain.jobs(), 10U);
+  ASSERT_EQ(composed.jobs(), 10U);
+  for (std::uint64_t number = 0; number < 10; ++number) {
+    EXPECT_EQ(identity(plain.job(number)), identity(composed.job(number))) << number;
+  }
+}
+
+TEST(SweepFile, TurnsChangesOfTheEnvironmentIntoASettingOfTheBase) {
+  const auto file = parse_sweep(
+      "name: a\nenvironment:\n  - {push_factor: 0.50, at: 5, required_distance: 25}\n"
+      "  - {at: 9, ground_level_back_left: 12}\nbase: {objective: maximise}\n",
+      "a");
+  const auto parameters = SweepGrid(file.specification).job(0).parameters;
+  EXPECT_EQ(parameters.choice("environment"), "5 required_distance=25 push_factor=0.5; 9 ground_level_back_left=12");
+  const auto written = parse_sweep(
+      "name: a\nbase:\n  environment: 5 required_distance=25 push_factor=0.5; 9 ground_level_back_left=12\n"
+      "  objective: maximise\n",
+      "a");
+  EXPECT_EQ(sweep_id(file.specification), sweep_id(written.specification));
+}
+
 TEST(SweepFile, HasDefaultsForSeedAndReplicates) {
   const auto specification = parse_sweep("name: a\n", "sweep.yaml").specification;
   EXPECT_EQ(specification.seed(), 1U);

@@ -1,9 +1,7 @@
 #include "experiment/sweep.hpp"
 
-#include <array>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <map>
 #include <set>
 #include <stdexcept>
 
@@ -11,10 +9,6 @@ namespace lamprey::experiment {
 namespace {
 
 using testing::ElementsAre;
-
-SweepGrid ready_sweep(const std::string& name) {
-  return SweepGrid(read_sweep_file(LAMPREY_SOURCE_DIR "/sweeps/" + name + ".yaml").specification);
-}
 
 idl::SweepSpecification sweep(const std::string& yaml) {
   return parse_sweep(yaml, "sweep.yaml").specification;
@@ -25,54 +19,6 @@ std::vector<std::string> axis_texts(const std::string& axis) {
   std::vector<std::string> texts;
   for (const auto& value : grid.grids().at(0).axes.at(0).values) texts.push_back(to_text(value));
   return texts;
-}
-
-TEST(ReadySweeps, HaveAsManyJobsAsTheThesissTable) {
-  EXPECT_EQ(ready_sweep("mutate-all").jobs(), 18'432U);
-  EXPECT_EQ(ready_sweep("mutate-one").jobs(), 18'432U);
-  EXPECT_EQ(ready_sweep("mutate-some").jobs(), 4'608U);
-  EXPECT_EQ(ready_sweep("thesis-chapter-8").jobs(), 41'472U);
-}
-
-TEST(ReadySweeps, QuickstartCoversEveryOperator) {
-  const SweepGrid grid = ready_sweep("quickstart");
-  EXPECT_EQ(grid.jobs(), 360U);
-  std::set<std::array<std::string, 3>> operators;
-  for (std::uint64_t number = 0; number < grid.jobs(); ++number) {
-    const Parameters parameters = grid.job(number).parameters;
-    operators.insert({parameters.choice("mutation"), parameters.choice("steps"), parameters.choice("acceptance")});
-    EXPECT_EQ(parameters.integer("cycles"), 1000);
-  }
-  EXPECT_EQ(operators.size(), 3U * 3U * 2U);
-}
-
-TEST(ReadySweeps, ChapterEightHasEachExperimentOnce) {
-  const SweepGrid grid = ready_sweep("thesis-chapter-8");
-  std::set<std::string> cells;
-  for (std::uint64_t number = 0; number < grid.jobs(); ++number) {
-    EXPECT_TRUE(cells.insert(canonical_text(grid.job(number).parameters)).second) << number;
-  }
-  EXPECT_EQ(cells.size(), 41'472U);
-}
-
-TEST(ReadySweeps, CellsOfTheOneMutationSweepsAreTheSameJobsInChapterEight) {
-  const SweepGrid chapter = ready_sweep("thesis-chapter-8");
-  std::map<std::string, std::uint64_t> numbers;
-  for (std::uint64_t number = 0; number < chapter.jobs(); ++number) {
-    numbers.emplace(canonical_text(chapter.job(number).parameters), number);
-  }
-  std::uint64_t found = 0;
-  for (const auto* name : {"mutate-all", "mutate-one", "mutate-some"}) {
-    const SweepGrid grid = ready_sweep(name);
-    for (std::uint64_t number = 0; number < grid.jobs(); ++number) {
-      const Job job = grid.job(number);
-      const auto same = numbers.find(canonical_text(job.parameters));
-      ASSERT_NE(same, numbers.end()) << name << " " << number;
-      ASSERT_EQ(identity(job), identity(chapter.job(same->second))) << name << " " << number;
-      ++found;
-    }
-  }
-  EXPECT_EQ(found, chapter.jobs());
 }
 
 TEST(SweepGrid, CountsWithTheLastAxisFastestGridByGridAndReplicateByReplicate) {

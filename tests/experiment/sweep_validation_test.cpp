@@ -1,7 +1,7 @@
 #include "experiment/sweep_validation.hpp"
 
 #include "experiment/sweep.hpp"
-#include "experiment/sweep_grid.hpp"
+#include "experiment/typed_value.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -66,7 +66,7 @@ TEST(Validate, RefusesValuesWithoutAKind) {
   EXPECT_THAT(
       problems_of(specification),
       ElementsAre("base.cycles: no value is given: cycles takes a whole number from 1 to 10000000",
-                  "base.gait: no value is given: gait takes only walk",
+                  "base.gait: no value is given: gait takes one of walk, trot, pace, gallop, pronk, walk_frames",
                   "grids[0].mutation_size.from: no value is given: mutation_size takes a whole number from 0 to "
                   "100 (%)",
                   "grids[0].mutation_size.to: no value is given: mutation_size takes a whole number from 0 to "
@@ -83,7 +83,7 @@ TEST(Validate, RefusesValuesOfTheWrongKind) {
   add_base(specification, "temperature").set_text("hot");
   EXPECT_THAT(problems_of(specification),
               ElementsAre("base.cycles: 1000 is not a whole number: cycles takes a whole number from 1 to 10000000",
-                          "base.gait: 1 is not a name: gait takes only walk",
+                          "base.gait: 1 is not a name: gait takes one of walk, trot, pace, gallop, pronk, walk_frames",
                           "base.temperature: 'hot' is not a number: temperature takes a number from 1e-09 to 1e+09 "
                           "(fitness)"));
 }
@@ -159,7 +159,7 @@ TEST(Validate, RefusesAbsurdCountsWithoutExpandingThem) {
 
   auto grids = empty_sweep();
   for (int i = 0; i < 100'000; ++i) grids.add_grids();
-  EXPECT_THAT(problems_of(grids), ElementsAre("grids: has 100000 grids; at most 100 are allowed"));
+  EXPECT_THAT(problems_of(grids), ElementsAre("grids: has 100000 grids; at most 1000 are allowed"));
 
   auto replicates = empty_sweep();
   replicates.set_replicates(std::numeric_limits<std::uint32_t>::max());
@@ -247,7 +247,7 @@ TEST(Validate, DoesNotLookAtAxesThatWereLeftUnreadAfterAHundredProblems) {
   for (std::size_t i = 0; i < maximum_problems; ++i) {
     found.push_back({.field = "field" + std::to_string(i), .message = "unknown", .file = ""});
   }
-  EXPECT_EQ(validate(specification, found).size(), maximum_problems);
+  EXPECT_EQ(validate(specification, ReadBefore{.problems = found, .grid_paths = {}}).size(), maximum_problems);
 }
 
 TEST(Validate, FindsContradictionsWithinTheBase) {
@@ -310,13 +310,64 @@ TEST(Validate, ComparesTheLargestAllowedGridsInTime) {
   auto specification = empty_sweep();
   for (int i = 0; i < maximum_grids; ++i) {
     auto& range = *add_axis(*specification.add_grids(), "cycles").mutable_range();
-    range.mutable_from()->set_integer(1 + 1000 * i);
-    range.mutable_to()->set_integer(1000 + 1000 * i);
+    range.mutable_from()->set_integer(1 + 100 * i);
+    range.mutable_to()->set_integer(100 + 100 * i);
     range.mutable_step()->set_integer(1);
   }
   EXPECT_THAT(problems_of(specification), IsEmpty());
   EXPECT_EQ(SweepGrid(specification).jobs(), 100'000U);
   EXPECT_EQ(SweepGrid(specification).job(99'999).parameters.integer("cycles"), 100'000);
+}
+
+TEST(Validate, MakesSchedulesCanonicalWhoeverSendsThem) {
+  auto specification = empty_sweep();
+  add_base(specification, "objective").set_text("maximise");
+  add_base(specification, "environment").set_text(" 5 push_factor=0.50   required_fuel=1;");
+  EXPECT_THAT(problems_of(specification), ElementsAre(HasSubstr("base.environment: a change is missing")));
+  specification.mutable_base(1)->mutable_value()->set_text(" 5  push_factor=0.50   required_fuel=1");
+  const Id128 id = sweep_id(specification);
+  EXPECT_EQ(SweepGrid(specification).job(0).parameters.choice("environment"), "5 required_fuel=1 push_factor=0.5");
+  specification.mutable_base(1)->mutable_value()->set_text("5 required_fuel=1 push_factor=0.5");
+  EXPECT_EQ(sweep_id(specification), id);
+  specification.mutable_base(1)->mutable_value()->set_integer(5);
+  EXPECT_THAT(problems_of(specification), ElementsAre(HasSubstr("base.environment: 5 is not text: environment takes "
+                                                                "changes at cycles, such as '500 required_distance")));
+}
+
+TEST(Validate, ComparesSchedulesOfAnAxis) {
+  auto specification = empty_sweep();
+  auto& grid = *specification.add_grids();
+  add_axis(grid, "objective").add_values()->set_text("maximise");
+  auto& axis = add_axis(grid, "environment");
+  axis.add_values()->set_text("");
+  axis.add_values()->set_text("5 required_fuel=1");
+  EXPECT_THAT(problems_of(specification), IsEmpty());
+  EXPECT_EQ(SweepGrid(specification).job(0).parameters.choice("environment"), "");
+  axis.add_values()->set_text("5  required_fuel=1");
+  EXPECT_THAT(problems_of(specification),
+              ElementsAre("grids[0].environment[2]: 5 required_fuel=1 is in this axis twice"));
+}
+
+// Every pair of grids is compared, and what decides whether they share a job are many choices with many values.
+TEST(Validate, ComparesGridsOfManyChoicesInTime) {
+  auto specification = empty_sweep();
+  add_base(specification, "acceptance").set_text("annealing");
+  for (int i = 0; i < 300; ++i) {
+    auto& grid = *specification.add_grids();
+    for (const auto* name : {"mutation", "steps", "objective", "criterion", "posture", "record"}) {
+      auto& axis = add_axis(grid, name);
+      for (const auto choice : find_parameter(name)->choices) axis.add_values()->set_text(std::string(choice));
+    }
+    for (const auto* network : {"four_mother", "one_mother", "timed_loop"}) {
+      if (grid.axes_size() == 6) add_axis(grid, "network");
+      grid.mutable_axes(6)->add_values()->set_text(network);
+    }
+    // It applies in every cell, so that it alone tells the grids apart.
+    add_axis(grid, "temperature").add_values()->set_real(1 + i);
+  }
+  EXPECT_THAT(problems_of(specification), IsEmpty());
+  specification.mutable_grids(299)->mutable_axes(7)->mutable_values(0)->set_real(1);
+  EXPECT_THAT(problems_of(specification), ElementsAre(HasSubstr("grids[299]: has jobs that grids[0] has too")));
 }
 
 }  // namespace

@@ -5,13 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
-#include <stdexcept>
 #include <vector>
 
 namespace lamprey::experiment {
 namespace {
-
-using namespace science::evolution;
 
 TEST(EvaluatePreset, TheWalkScoresEightySixtyEightyThree) {
   EXPECT_EQ(evaluate_preset(Parameters()), (Score{.stability = 80, .distance = 60, .fuel = 83, .total = 223}));
@@ -29,78 +26,6 @@ TEST(EvaluatePreset, MeanTotalOverTheGridIsThePublishedOne) {
     }
   }
   EXPECT_EQ(sum / 64, 139.375);  // 8.3.2
-}
-
-TEST(JobSettings, MapsEveryParameter) {
-  const JobSettings settings = job_settings(parameters_with({{"mutation", text("one")},
-                                                             {"steps", text("normal")},
-                                                             {"acceptance", text("annealing")},
-                                                             {"equilibrium_disturbance", whole(75)},
-                                                             {"mutation_size", whole(25)},
-                                                             {"system_disturbance", whole(25)},
-                                                             {"required_stability", whole(25)},
-                                                             {"required_distance", whole(75)},
-                                                             {"required_fuel", whole(50)},
-                                                             {"cycles", whole(77)},
-                                                             {"time_steps", whole(40)},
-                                                             {"objective", text("maximise")},
-                                                             {"criterion", text("total")},
-                                                             {"posture", text("carry")},
-                                                             {"temperature", 2.0},
-                                                             {"cooling", 0.75},
-                                                             {"step_variance", text("root_error")},
-                                                             {"first_standard_deviation", 4.0},
-                                                             {"success_window", whole(10)},
-                                                             {"standard_deviation_factor", 0.9},
-                                                             {"minimum_standard_deviation", 0.5},
-                                                             {"maximum_standard_deviation", 8.0}}));
-  EXPECT_EQ(settings.trial.time_steps, 40);
-  EXPECT_EQ(settings.cycles, 77U);
-  EXPECT_EQ(settings.disturbance.size, 7);
-  EXPECT_EQ(settings.disturbance.per_kind, 1U);
-  const Rtea& rtea = settings.rtea;
-  EXPECT_EQ(rtea.mutation, MutationTechnique::one);
-  EXPECT_EQ(rtea.steps, Steps::normal);
-  EXPECT_EQ(rtea.size, 2);
-  EXPECT_EQ(rtea.step_variance, StepVariance::root_error);
-  EXPECT_EQ(rtea.one_fifth_rule.first_standard_deviation, 4);
-  EXPECT_EQ(rtea.one_fifth_rule.window, 10U);
-  EXPECT_EQ(rtea.one_fifth_rule.factor, 0.9);
-  EXPECT_EQ(rtea.one_fifth_rule.minimum_standard_deviation, 0.5);
-  EXPECT_EQ(rtea.one_fifth_rule.maximum_standard_deviation, 8);
-  EXPECT_EQ(rtea.objective, Objective::maximise);
-  EXPECT_EQ(rtea.criterion, Criterion::total);
-  EXPECT_EQ(rtea.acceptance, Acceptance::annealing);
-  EXPECT_EQ(rtea.temperature, 2);
-  EXPECT_EQ(rtea.cooling, 0.75);
-  EXPECT_EQ(rtea.posture, Posture::carry);
-  EXPECT_EQ(rtea.weights.stability, 0.25);
-  EXPECT_EQ(rtea.weights.distance, 0.75);
-  EXPECT_EQ(rtea.weights.fuel, 0.5);
-}
-
-TEST(JobSettings, HasAModelForEveryRegisteredChoice) {
-  for (const Parameter& parameter : registry()) {
-    for (const auto choice : parameter.choices) {
-      Parameters parameters;
-      parameters.set(parameter.name, std::string(choice));
-      EXPECT_NO_THROW(job_settings(parameters)) << parameter.name << " " << choice;
-    }
-  }
-}
-
-TEST(JobSettings, AChoiceWithoutAModelIsRefusedByNameAndValue) {
-  try {
-    job_settings(parameters_with({{"gait", text("moonwalk")}}));
-    FAIL();
-  } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "gait is \"moonwalk\", of which there is no model");
-  }
-}
-
-TEST(JobSettings, MutateSomeDisturbsAllChildren) {
-  const auto settings = job_settings(parameters_with({{"mutation", text("some")}, {"system_disturbance", whole(25)}}));
-  EXPECT_EQ(settings.disturbance.per_kind, 4U);
 }
 
 /// Jobs that accept, reject and wander; short.
@@ -218,19 +143,16 @@ TEST(RunJob, ReplicatesAndSeedsDiffer) {
   EXPECT_EQ(outcome_of(job_with({{"cycles", whole(50)}}, 1, 0)), first);
 }
 
-TEST(AdvanceJob, AJobThatGoesOnFromACopyOfItsStateEndsAlike) {
+TEST(JobRun, AJobThatGoesOnFromACopyEndsAlike) {
   for (const Job& job : various_jobs()) {
-    const JobSettings settings = job_settings(job.parameters);
-    const science::random::Stream stream(stream_key(job));
-    JobState state = begin_job(settings, stream);
-    for (const std::uint32_t cycles : {1U, 63U, 0U, 20U}) {
-      JobState copy = state;
-      advance_job(settings, stream, copy, cycles);
-      state = copy;
-    }
-    EXPECT_EQ(state.outcome.cycles, 84U);
-    advance_job(settings, stream, state, 1'000'000);
-    EXPECT_EQ(state.outcome, outcome_of(job));
+    JobRun run(job);
+    for (int cycle = 0; cycle < 84; ++cycle) run.advance();
+    EXPECT_EQ(run.outcome().cycles, 84U);
+    JobRun copy(run);
+    while (!run.finished()) run.advance();
+    while (!copy.finished()) copy.advance();
+    EXPECT_EQ(run.outcome(), outcome_of(job));
+    EXPECT_EQ(copy.outcome(), run.outcome());
   }
 }
 

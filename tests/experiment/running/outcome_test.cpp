@@ -1,8 +1,10 @@
 #include "experiment/outcome.hpp"
 
 #include <bit>
+#include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
+#include <limits>
 #include <set>
 #include <string>
 #include <string_view>
@@ -58,6 +60,13 @@ TEST(OutcomeDigest, IsTheWorkedExampleOfTheFormatsPage) {
             "1f60da3c4688fd2de16d8466daff065edf6c4a3e8cdeafe67423133fa21163c8");
 }
 
+TEST(OutcomeDigest, MeasuresFollowTheTraceAsTheSecondExampleOfTheFormatsPageHasIt) {
+  Outcome outcome = example();
+  outcome.measures = {{"recovered", 0, 1}, {"recovery_cycles", 0, 17}};
+  EXPECT_EQ(to_hex(outcome_digest(example_identity(), outcome)),
+            "e86eba78ba77ba0c79afc30bddfbd8e98218aa38c33eb9be2b8ea260576f434d");
+}
+
 TEST(OutcomeDigest, CoversTheIdentityAndEveryField) {
   std::vector<std::function<void(Outcome&)>> changes;
   for (Score Outcome::*part :
@@ -76,6 +85,15 @@ TEST(OutcomeDigest, CoversTheIdentityAndEveryField) {
   }
   changes.emplace_back([](Outcome& outcome) { outcome.trace.push_back(outcome.trace[0]); });
   changes.emplace_back([](Outcome& outcome) { outcome.trace.clear(); });
+  const auto with_measures = [&](const std::vector<Measure>& measures) {
+    changes.emplace_back([=](Outcome& outcome) { outcome.measures = measures; });
+  };
+  with_measures({{"a", 0, 1}});
+  with_measures({{"b", 0, 1}});
+  with_measures({{"a", 1, 1}});
+  with_measures({{"a", 0, 2}});
+  with_measures({{"aa", 0, 1}});
+  with_measures({{"a", 0, 1}, {"b", 0, 1}});
 
   std::set<Digest> digests{outcome_digest(example_identity(), example()), outcome_digest({}, example())};
   ASSERT_EQ(digests.size(), 2U);
@@ -84,6 +102,28 @@ TEST(OutcomeDigest, CoversTheIdentityAndEveryField) {
     changes[i](outcome);
     EXPECT_TRUE(digests.insert(outcome_digest(example_identity(), outcome)).second) << i;
   }
+}
+
+TEST(MeasuresFault, ThereIsNoneInSortedNamedNumbers) {
+  EXPECT_EQ(measures_fault({}), "");
+  const std::vector<Measure> good = {
+      {"a", 0, 0}, {"a", 4294967295U, -1e300}, {"a_1", 0, 5e-324}, {std::string(64, 'b'), 3, 1}};
+  EXPECT_EQ(measures_fault(good), "");
+}
+
+TEST(MeasuresFault, NamesWhatIsWrong) {
+  const auto fault = [](const std::vector<Measure>& measures) { return measures_fault(measures); };
+  for (const std::string& name : {std::string(), std::string("A"), std::string("a b"), std::string("a\"b"),
+                                  std::string("gr\xc3\xb6\xc3\x9f") + "e", std::string(65, 'b')}) {
+    EXPECT_NE(fault({{name, 0, 1}}), "") << name;
+  }
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(fault({{"a", 7, infinity}}), "the measure a 7 is not a finite number");
+  EXPECT_EQ(fault({{"a", 7, std::nan("")}}), "the measure a 7 is not a finite number");
+  EXPECT_EQ(fault({{"a", 7, -0.0}}), "the measure a 7 is a negative zero");
+  EXPECT_EQ(fault({{"a", 7, 1}, {"a", 7, 2}}), "the measure a 7 comes twice or is out of order");
+  EXPECT_EQ(fault({{"a", 8, 1}, {"a", 7, 2}}), "the measure a 7 comes twice or is out of order");
+  EXPECT_EQ(fault({{"b", 0, 1}, {"a", 7, 2}}), "the measure a 7 comes twice or is out of order");
 }
 
 }  // namespace

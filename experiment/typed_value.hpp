@@ -1,6 +1,6 @@
 #pragma once
 
-// What the validator and the grid share; nobody else needs it.
+// What the reader, the validator and the grid share; nobody else needs it.
 
 #include "experiment/parameters.hpp"
 #include "idl/sweep.pb.h"
@@ -12,9 +12,6 @@
 
 namespace lamprey::experiment {
 
-/// All axes of a sweep together hold at most this many values, so that their memory is bounded before it is taken.
-inline constexpr std::uint64_t maximum_axis_values = 100'000;
-
 /// Why something is not a value of a parameter.
 struct Refusal {
   std::string reason;
@@ -22,7 +19,7 @@ struct Refusal {
 using TypedValue = std::variant<Value, Refusal>;
 
 /// The value as the registry's row wants it: of its kind, within its range, one of its choices, a whole number made
-/// real for a real parameter, −0 made 0.
+/// real for a real parameter, −0 made 0, a schedule in its canonical text.
 TypedValue typed_value(const Parameter& parameter, const idl::Value& value);
 
 /// A range's step: a number of the parameter's kind above 0, not bound to the parameter's range.
@@ -30,6 +27,20 @@ TypedValue typed_step(const Parameter& parameter, const idl::Value& value);
 
 /// "a whole number from 0 to 100 (%)", "one of all, one, some": what a parameter takes, for messages.
 std::string allowed_values(const Parameter& parameter);
+
+/// "steps uniform": a parameter and its value, for messages.
+std::string setting_text(const Parameter& parameter, const Value& value);
+
+/// Whether values of the kind can be counted up in steps.
+bool is_number(ParameterKind kind);
+
+/// The value that a text of a file or a command line stands for: a number if the parameter takes one and the text is
+/// one in decimal, without leading zeros, which some YAML readers take for octal. Else the text as it is, for
+/// typed_value to say what is allowed.
+idl::Value value_of_text(ParameterKind kind, const std::string& text);
+
+/// The nearest number of 15 significant digits: what one would write.
+double rounded_to_15_digits(double value);
 
 /// A range of a whole or real parameter whose parts have been typed.
 struct NumberRange {
