@@ -15,7 +15,8 @@
 
 namespace lamprey::client {
 
-enum class Format : unsigned char { table, json, csv };
+/// `table` is what people read: a command whose answer is no table calls it text.
+enum class Format : unsigned char { table, json, csv, html };
 
 /// What a command needs of the outside; main makes it, tests make another.
 struct Environment {
@@ -39,7 +40,7 @@ struct Command {
   std::string_view name;
   std::string_view group;    ///< heading in the overview
   std::string_view summary;  ///< one line
-  std::vector<std::string_view> formats;
+  std::vector<std::string_view> formats;  ///< the first is the default
   /// Declares arguments and options on `app`; the answer is called after they have been read.
   Action (*declare)(CLI::App& app);
 };

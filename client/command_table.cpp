@@ -10,6 +10,7 @@ const std::vector<std::string_view> table_or_json = {"table", "json"};
 
 constexpr std::string_view alone = "On this machine";
 constexpr std::string_view looking = "Look and try out";
+constexpr std::string_view findings = "What it shows";
 constexpr std::string_view together = "With a coordinator on the network";
 constexpr std::string_view checking = "Check";
 
@@ -30,6 +31,13 @@ std::span<const Command> command_table() {
               table_or_json, commands::declare_parameters},
       Command{"evaluate", looking, "Evaluate the undisturbed gait once and show its fitness", table_or_json,
               commands::declare_evaluate},
+      Command{"report",
+              findings,
+              "Hold the thesis's claims against a database: measured, interval, holds or not",
+              {"text", "json", "html"},
+              commands::declare_report},
+      Command{"plot", findings, "Draw a figure of the thesis from a database, or the robot with its gait",
+              table_or_json, commands::declare_plot},
       Command{"submit", together, "Give a sweep to the coordinator; its workers run it", table_or_json,
               commands::declare_submit},
       Command{"status", together, "Show the coordinator's sweeps and workers", table_or_json, commands::declare_status},

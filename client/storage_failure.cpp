@@ -13,6 +13,8 @@ std::string kind_name(storage::StorageError::Kind kind) {
       return "not_a_database";
     case Kind::newer_schema:
       return "newer_schema";
+    case Kind::older_schema:
+      return "older_schema";
     case Kind::other_science:
       return "other_science";
     case Kind::in_use:

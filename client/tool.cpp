@@ -91,6 +91,7 @@ void parse(CLI::App& app, const Arguments& arguments) {
 
 Format format_named(const std::string& name) {
   if (name == "json") return Format::json;
+  if (name == "html") return Format::html;
   return name == "csv" ? Format::csv : Format::table;
 }
 
@@ -105,12 +106,12 @@ ExitCode run_command(const Command& command, const Arguments& arguments, const o
   CLI::App app(std::string(command.summary), "lamprey " + std::string(command.name));
   app.set_help_flag();
   const Action action = command.declare(app);
-  std::string format = "table";
+  std::string format(command.formats.front());
   const std::vector<std::string> formats(command.formats.begin(), command.formats.end());
   app.add_option("--format", format, "How to answer")
       ->type_name(output::joined(formats, "|"))
       ->check(one_of(command.formats))
-      ->default_str("table");
+      ->default_str(format);
   if (asks_for_help(arguments)) {
     print_help(console, command, app);
     return exit_ok;

@@ -1,15 +1,11 @@
 #include "client/commands/commands.hpp"
-#include "client/failure.hpp"
 #include "client/json.hpp"
-#include "client/option_checks.hpp"
 #include "client/output/formatting.hpp"
 #include "client/output/table.hpp"
+#include "client/parameter_settings.hpp"
 #include "experiment/job_run.hpp"
-#include "experiment/sweep.hpp"
 
-#include <charconv>
 #include <memory>
-#include <optional>
 #include <string>
 
 namespace lamprey::client::commands {
@@ -20,68 +16,8 @@ struct Options {
   std::vector<std::string> settings;
 };
 
-template <typename Number>
-std::optional<Number> read(std::string_view text) {
-  Number number{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return number;
-}
-
-/// The value as a sweep file would have it; text where it isn't of the parameter's kind, so that the validator can
-/// say what is wrong with it.
-idl::Value value_of(const experiment::Parameter& parameter, const std::string& text) {
-  idl::Value value;
-  if (parameter.kind != experiment::ParameterKind::choice) {
-    if (const auto integer = read<std::int64_t>(text)) {
-      value.set_integer(*integer);
-      return value;
-    }
-    if (const auto real = read<double>(text)) {
-      value.set_real(*real);
-      return value;
-    }
-  }
-  value.set_text(text);
-  return value;
-}
-
-std::string parameter_unknown(const std::string& name) {
-  std::vector<std::string_view> known;
-  for (const auto& parameter : experiment::registry()) known.push_back(parameter.name);
-  return unknown_name("parameter", name, known);
-}
-
-/// The settings go through the same validator as a sweep file's base.
-experiment::Parameters parameters_of(const std::vector<std::string>& settings) {
-  idl::SweepSpecification specification;
-  specification.set_name("evaluate");
-  specification.set_replicates(1);
-  std::vector<std::string> problems;
-  for (const auto& setting : settings) {
-    const auto equals = setting.find('=');
-    const std::string name = setting.substr(0, equals);
-    const auto* parameter = experiment::find_parameter(name);
-    if (equals == std::string::npos) {
-      problems.push_back("'" + experiment::printable(setting) + "' is not of the form PARAMETER=VALUE");
-    } else if (parameter == nullptr) {
-      problems.push_back(parameter_unknown(name));
-    } else {
-      auto* base = specification.add_base();
-      base->set_parameter(name);
-      *base->mutable_value() = value_of(*parameter, setting.substr(equals + 1));
-    }
-  }
-  for (const auto& problem : experiment::validate(specification)) {
-    const auto& field = problem.field;
-    problems.push_back((field.starts_with("base.") ? field.substr(5) : field) + ": " + problem.message);
-  }
-  if (!problems.empty()) throw Failure(exit_usage, "invalid_input", std::move(problems));
-  return experiment::SweepGrid(specification).job(0).parameters;
-}
-
 ExitCode evaluate(const Options& options, const Context& context) {
-  const auto parameters = parameters_of(options.settings);
+  const auto parameters = parameters_of_settings(options.settings);
   const auto score = experiment::evaluate_preset(parameters);
   if (context.format == Format::json) {
     Json json = document("evaluate");

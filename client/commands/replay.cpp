@@ -7,12 +7,16 @@
 #include "client/output/table.hpp"
 #include "client/results_source.hpp"
 #include "experiment/batch_engine.hpp"
+#include "experiment/models.hpp"
 #include "experiment/sweep.hpp"
+#include "messaging/program/build_info.hpp"
 #include "storage/results_reader.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 namespace lamprey::client::commands {
@@ -34,6 +38,7 @@ struct Stored {
   std::string state;
   std::string reason;  ///< why it failed, where that is known
   std::optional<experiment::Digest> digest;
+  std::string build;  ///< of the worker that computed it; empty if it is not known
 };
 
 Stored stored_in_database(const Options& options) {
@@ -57,6 +62,7 @@ Stored stored_in_database(const Options& options) {
   stored.state = storage::to_text(job->state);
   stored.reason = job->reason;
   stored.digest = job->digest;
+  stored.build = reader.build_of(job->worker).value_or("");
   return stored;
 }
 
@@ -72,6 +78,7 @@ Stored stored_at_coordinator(const Options& options, const Environment& environm
   stored.science_version = reply.stored_job().science_version();
   stored.state = reply.stored_job().state();
   stored.digest = experiment::digest_from_hex(reply.stored_job().digest());
+  stored.build = reply.stored_job().build();
   return stored;
 }
 
@@ -91,6 +98,18 @@ void require_comparable(const Stored& stored, std::uint64_t job) {
   }
 }
 
+/// Other bits of a job that only the same build repeats say nothing where another build, or none that is known, has
+/// computed it.
+void require_same_build(const Stored& stored, const experiment::Job& job) {
+  const auto repeatability = experiment::repeatability(job.parameters);
+  const std::string build = messaging::program::build();
+  if (repeatability != experiment::Repeatability::same_build || stored.build == build) return;
+  throw Failure(exit_usage, "other_build",
+                "job " + std::to_string(job.number) + " of sweep " + stored.name + " was computed by " +
+                    (stored.build.empty() ? "a build that is not known" : "build " + stored.build) + "; this is " +
+                    build + ", and its trainer gives the same bits only within one build");
+}
+
 struct Computed {
   experiment::Outcome outcome;
   experiment::Digest digest{};
@@ -107,6 +126,21 @@ Computed compute(const experiment::Job& job) {
   Computed computed{std::get<experiment::Outcome>(std::move(result.result)), {}, result.seconds};
   computed.digest = experiment::outcome_digest(result.identity, computed.outcome);
   return computed;
+}
+
+/// The first of them; a run that records details has thousands.
+void print_measures(const output::Console& console, std::span<const experiment::Measure> measures) {
+  constexpr std::size_t most = 20;
+  if (measures.empty()) return;
+  console.out << '\n';
+  output::Table table({{"measure"}, {"index", output::Align::right}, {"value", output::Align::right}});
+  for (const auto& measure : measures.first(std::min(most, measures.size()))) {
+    table.add({measure.name, output::with_thousands(measure.index), output::shortest(measure.value)});
+  }
+  table.print(console);
+  if (measures.size() > most) {
+    console.out << "and " << output::with_thousands(measures.size() - most) << " more (--format json has all)\n";
+  }
 }
 
 void print_table(const output::Console& console, const Stored& stored, const experiment::Job& job,
@@ -136,6 +170,15 @@ void print_table(const output::Console& console, const Stored& stored, const exp
   add("highest", computed.outcome.highest);
   add("final", computed.outcome.final);
   table.print(console);
+  print_measures(console, computed.outcome.measures);
+}
+
+Json measures_of(const experiment::Outcome& outcome) {
+  Json all = Json::array();
+  for (const auto& measure : outcome.measures) {
+    all.push_back({{"name", measure.name}, {"index", measure.index}, {"value", measure.value}});
+  }
+  return all;
 }
 
 Json json_of(const Stored& stored, const experiment::Job& job, const Computed& computed, bool same) {
@@ -151,7 +194,7 @@ Json json_of(const Stored& stored, const experiment::Job& job, const Computed& c
                      {"evolved", as_json(outcome.evolved)},   {"highest", as_json(outcome.highest)},
                      {"final", as_json(outcome.final)},       {"cycles", outcome.cycles},
                      {"accepted", outcome.accepted},          {"successes", outcome.successes},
-                     {"success_rate", outcome.success_rate}};
+                     {"success_rate", outcome.success_rate},  {"measures", measures_of(outcome)}};
   json["seconds"] = computed.seconds;
   return json;
 }
@@ -168,6 +211,7 @@ ExitCode replay(const Options& options, const Context& context) {
   const auto job = grid.job(options.job);
   const Computed computed = compute(job);
   const bool same = computed.digest == *stored.digest;
+  if (!same) require_same_build(stored, job);
   if (context.format == Format::json) {
     print(context.console, json_of(stored, job, computed, same));
   } else {

@@ -161,6 +161,7 @@ ExitCode print_results(const ResultsSource& source, const Options& options, cons
       return print_json(source, options, context.console);
     case Format::csv:
       return print_csv(source, options, context.console);
+    case Format::html:
     case Format::table:
       break;
   }

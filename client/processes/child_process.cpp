@@ -6,6 +6,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <linux/close_range.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <system_error>
@@ -43,14 +44,30 @@ struct Pipe {
   }
 };
 
+/// A file in memory with the text, at its beginning: a pipe would block this program if the child read slowly.
+int open_input(const std::string& text) {
+  const int file = ::memfd_create("input", MFD_CLOEXEC);
+  std::size_t written = 0;
+  while (file >= 0 && written < text.size()) {
+    const ssize_t size = ::write(file, text.data() + written, text.size() - written);
+    if (size < 0 && errno != EINTR) break;
+    if (size > 0) written += static_cast<std::size_t>(size);
+  }
+  if (file < 0 || written < text.size() || ::lseek(file, 0, SEEK_SET) != 0) {
+    const int error = errno;
+    if (file >= 0) ::close(file);
+    throw std::system_error(error, std::generic_category(), "input of a child process");
+  }
+  return file;
+}
+
 /// In the child, between fork and exec: only async-signal-safe calls, since other threads may have held any lock.
 /// Comes back with errno set if something failed.
-void become(char* const* arguments, pid_t parent, int output) {
+void become(char* const* arguments, pid_t parent, int input, int output) {
   if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) return;
   if (::getppid() != parent) ::_exit(0);  // it died before the kernel had been told to watch it
   if (::setpgid(0, 0) != 0) return;
-  const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
-  if (nothing < 0 || ::dup2(nothing, STDIN_FILENO) < 0) return;
+  if (::dup2(input, STDIN_FILENO) < 0) return;
   if (::dup2(output, STDOUT_FILENO) < 0 || ::dup2(output, STDERR_FILENO) < 0) return;
   // Sockets of this program's DDS participant must not live on in the child: it would hold their ports.
   if (::close_range(STDERR_FILENO + 1, ~0U, CLOSE_RANGE_CLOEXEC) != 0) return;
@@ -68,7 +85,8 @@ std::string Exit::text() const {
   return "was killed by signal " + std::to_string(signal) + " (" + ::strsignal(signal) + ")";
 }
 
-ChildProcess::ChildProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments) {
+ChildProcess::ChildProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                           const std::string& input) {
   std::vector<std::string> texts{program.string()};
   texts.insert(texts.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
@@ -76,11 +94,14 @@ ChildProcess::ChildProcess(const std::filesystem::path& program, const std::vect
   pointers.push_back(nullptr);
   Pipe output;
   Pipe failure;  // closed by a successful exec
+  const int input_file = open_input(input);
   const pid_t parent = ::getpid();
   process_ = ::fork();
-  if (process_ < 0) throw std::system_error(errno, std::generic_category(), "fork");
+  const int fork_error = errno;
+  if (process_ != 0) ::close(input_file);
+  if (process_ < 0) throw std::system_error(fork_error, std::generic_category(), "fork");
   if (process_ == 0) {
-    become(pointers.data(), parent, output.writing());
+    become(pointers.data(), parent, input_file, output.writing());
     const int error = errno;
     [[maybe_unused]] const auto written = ::write(failure.writing(), &error, sizeof error);
     ::_exit(127);

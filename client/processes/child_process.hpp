@@ -18,12 +18,13 @@ struct Exit {
 };
 
 /// A program that runs as long as this one at most: the kernel kills it when the thread that started it dies, however
-/// it dies. It has a process group of its own, so that the terminal's Ctrl-C reaches only this program, no input, none
-/// of this program's files, and its standard output and error both go here, line by line. One thread.
+/// it dies. It has a process group of its own, so that the terminal's Ctrl-C reaches only this program, none of this
+/// program's files, for input the text given, and its standard output and error both go here, line by line. One thread.
 class ChildProcess {
  public:
   /// Throws std::system_error naming the program if it cannot be started.
-  ChildProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments);
+  ChildProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+               const std::string& input = {});
   /// Kills what still runs.
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;

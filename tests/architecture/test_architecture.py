@@ -13,7 +13,7 @@ MAY_INCLUDE = {
     "storage": {"experiment", "idl"},
     "coordinator": {"experiment", "idl", "messaging", "storage"},
     "worker": {"experiment", "idl", "messaging"},
-    "client": {"experiment", "idl", "messaging", "storage"},
+    "client": {"science", "experiment", "idl", "messaging", "storage"},
 }
 VENDORS = {
     "fastdds": re.compile(r"^(fastdds|fastrtps|fastcdr)/"),
@@ -23,6 +23,7 @@ SYSTEM_OF = {
     "sqlite3.h": {"storage"},
     "yaml-cpp/": {"experiment"},
     "Random123/": {"science"},
+    "pagmo/": {"experiment"},
 }
 
 

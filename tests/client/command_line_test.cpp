@@ -1,4 +1,5 @@
 #include "client/command.hpp"
+#include "client/output/formatting.hpp"
 #include "tests/client/site.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +28,9 @@ TEST_F(CommandLineTest, HelpOfEveryCommandFitsItsWidthAndNamesItsOptions) {
     const auto run = site.run({std::string(command.name), "--help"}, 80);
     EXPECT_EQ(run.exit_code, 0);
     EXPECT_NE(run.out.find("lamprey " + std::string(command.name)), std::string::npos);
-    EXPECT_NE(run.out.find("--format table|json"), std::string::npos);
+    const std::vector<std::string> formats(command.formats.begin(), command.formats.end());
+    EXPECT_NE(run.out.find("--format " + client::output::joined(formats, "|")), std::string::npos) << command.name;
+    EXPECT_NE(run.out.find("(default: " + formats.front() + ")"), std::string::npos) << command.name;
     std::istringstream lines(run.out.substr(0, run.out.find("\nExample")));
     for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80U) << command.name << ": " << line;
     EXPECT_EQ(site.run({"help", std::string(command.name)}).out, site.run({std::string(command.name), "-h"}).out);

@@ -1,3 +1,4 @@
+#include "messaging/program/build_info.hpp"
 #include "tests/client/site.hpp"
 
 #include <filesystem>
@@ -85,6 +86,39 @@ TEST_F(DatabaseCommandsTest, ReplayOfAnotherDigestEndsWithFive) {
   EXPECT_EQ(run.exit_code, 5);
   EXPECT_NE(run.out.find("DIFFERENT"), std::string::npos) << run.out;
   EXPECT_EQ(site.run({"replay", "small", "3", "--database", database, "--format", "json"}).json()["same"], false);
+}
+
+TEST_F(DatabaseCommandsTest, ReplayOfAnotherBuildsDigestIsNoMismatchWhereOnlyTheSameBuildRepeatsIt) {
+  database = site.database(
+      "name: outside\nbase: {cycles: 40, trainer: pagmo_sga}\n"
+      "grids:\n  - {required_fuel: [10, 20, 30, 40], required_stability: [25, 50]}\n",
+      5);
+  EXPECT_EQ(site.run({"replay", "outside", "3", "--database", database}).exit_code, 0);
+  change("UPDATE job SET digest = (SELECT digest FROM job WHERE job = 0), worker = 7 WHERE job = 3");
+  const auto unknown = site.run({"replay", "outside", "3", "--database", database});
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_NE(unknown.err.find("was computed by a build that is not known"), std::string::npos) << unknown.err;
+  change("INSERT INTO worker VALUES (7, 'host', 1, 1, '0.0.1', 'x', 0, 0)");
+  const auto other = site.run({"replay", "outside", "3", "--database", database});
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_NE(other.err.find("was computed by build 0.0.1"), std::string::npos) << other.err;
+  change("UPDATE worker SET build = '" + messaging::program::build() + "'");
+  EXPECT_EQ(site.run({"replay", "outside", "3", "--database", database}).exit_code, 5);
+}
+
+TEST_F(DatabaseCommandsTest, ReplayShowsMeasures) {
+  database = site.database(
+      "name: details\nbase: {cycles: 40, record: details}\n"
+      "grids:\n  - {required_fuel: [10, 20, 30, 40], required_stability: [25, 50]}\n",
+      5);
+  const auto measures =
+      site.run({"replay", "details", "3", "--database", database, "--format", "json"}).json()["outcome"]["measures"];
+  ASSERT_GE(measures.size(), 2U);
+  EXPECT_EQ(measures[0]["name"], "off_line_performance");
+  EXPECT_EQ(measures[0]["index"], 0);
+  EXPECT_TRUE(measures[0]["value"].is_number());
+  const auto table = site.run({"replay", "details", "3", "--database", database}).out;
+  EXPECT_NE(table.find("off_line_performance"), std::string::npos) << table;
 }
 
 TEST_F(DatabaseCommandsTest, ReplayRefusesWhatItCannotCompare) {

@@ -82,7 +82,7 @@ TEST_F(LocalCommandsTest, EvaluateExplainsEverythingThatIsWrongAtOnce) {
 
 TEST_F(LocalCommandsTest, ParametersListsTheWholeRegistry) {
   const auto json = site.run({"parameters", "--format", "json"}).json();
-  EXPECT_EQ(json["schema"], "lamprey/parameters/1");
+  EXPECT_EQ(json["schema"], "lamprey/parameters/2");
   ASSERT_EQ(json["parameters"].size(), experiment::registry().size());
   const auto table = site.run({"parameters"}).out;
   for (const auto& parameter : experiment::registry()) {
@@ -96,8 +96,10 @@ TEST_F(LocalCommandsTest, ParametersSaysWhatANamedOneTakesAndWhenItApplies) {
   EXPECT_EQ(json[0]["default"], 50);
   EXPECT_EQ(json[0]["minimum"], 0);
   EXPECT_EQ(json[0]["maximum"], 100);
-  EXPECT_EQ(json[0]["applies_when"][0]["value"], "one_fifth_rule");
-  EXPECT_EQ(json[0]["applies_when"][0]["is"], false);
+  const auto& condition = json[0]["applies_when"].back();
+  EXPECT_EQ(condition["parameter"], "steps");
+  EXPECT_EQ(condition["is"], false);
+  EXPECT_EQ(condition["values"], client::Json::array({"one_fifth_rule"}));
   EXPECT_NE(site.run({"parameters", "mutation_size"}).out.find("steps is not one_fifth_rule"), std::string::npos);
 }
 
