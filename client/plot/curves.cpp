@@ -12,6 +12,8 @@ namespace {
 
 constexpr std::size_t samples = 200;
 
+/// Each job's first row has no cycle; its steps follow. An outer join would do the same, but SQLite would take apart
+/// the traces of all jobs of the database for it.
 std::string courses_sql(const Reading& reading, const std::vector<std::string>& group_by, const std::string& condition,
                         bool with_variation) {
   std::string groups;
@@ -20,13 +22,14 @@ std::string courses_sql(const Reading& reading, const std::vector<std::string>& 
     groups += column + ", ";
     kept += "c." + column + ", ";
   }
-  return "WITH chosen AS (\n  SELECT " + groups +
-         "sweep, job, cycles, initial_total, expected_total FROM result\n  WHERE " + reading.condition() +
-         (condition.empty() ? "" : " AND " + condition) + ")\nSELECT " + kept +
+  const std::string job = groups + "sweep, job, cycles, initial_total, expected_total";
+  return "WITH chosen AS (\n  SELECT " + job + " FROM result\n  WHERE " + reading.condition() +
+         (condition.empty() ? "" : " AND " + condition) + ")\nSELECT " + job + ", NULL AS cycle, NULL AS total" +
+         (with_variation ? ", NULL AS parameter_variation" : "") + " FROM chosen\nUNION ALL SELECT " + kept +
          "c.sweep, c.job, c.cycles, c.initial_total, c.expected_total, t.cycle, t.total" +
-         (with_variation ? ", t.parameter_variation" : "") + "\nFROM chosen AS c LEFT JOIN " +
-         (with_variation ? "variation" : "trace") + " AS t ON t.sweep = c.sweep AND t.job = c.job\nORDER BY " + kept +
-         "c.sweep, c.job, t.cycle";
+         (with_variation ? ", t.parameter_variation" : "") + "\nFROM chosen AS c JOIN " +
+         (with_variation ? "variation" : "trace") + " AS t ON t.sweep = c.sweep AND t.job = c.job\nORDER BY " + groups +
+         "sweep, job, cycle";
 }
 
 /// One job's steps.
