@@ -142,16 +142,33 @@ void check_compatibility(const Compatibility& rule, const GridValues& grid, Find
   }
 }
 
-/// The 1/5 rule's smallest standard deviation must not be above its largest.
-void check_standard_deviations(const GridValues& grid, Findings& findings) {
-  const std::size_t minimum = parameter_index("minimum_standard_deviation");
-  const std::size_t maximum = parameter_index("maximum_standard_deviation");
-  if (!hold_somewhere(conditions_of_both(minimum, maximum), grid)) return;
-  const Value& smallest = grid.values[minimum].back();
-  const Value& largest = grid.values[maximum].front();
-  if (smallest <= largest) return;
-  note_contradiction(grid, registry()[minimum], smallest, registry()[maximum], largest,
-                     "the minimum must not be above the maximum", findings);
+/// Two numbers of which the first must not be above the second, where both apply and `where` holds.
+struct Order {
+  std::string_view smaller;
+  std::string_view larger;
+  std::string_view reason;
+  std::optional<Condition> where = std::nullopt;
+};
+
+std::span<const Order> orders() {
+  static const std::vector<Order> rows = {
+      {"minimum_standard_deviation", "maximum_standard_deviation", "the minimum must not be above the maximum"},
+      {"tournament_size", "population", "a tournament has different members of the population"},
+      {"population", "offspring", "under mu_comma_lambda only children live on, so they must be as many as the parents",
+       Condition{"strategy", true, {"mu_comma_lambda"}}}};
+  return rows;
+}
+
+void check_order(const Order& rule, const GridValues& grid, Findings& findings) {
+  const std::size_t smaller = parameter_index(rule.smaller);
+  const std::size_t larger = parameter_index(rule.larger);
+  std::vector<RowCondition> conditions = conditions_of_both(smaller, larger);
+  if (rule.where) conditions.push_back({parameter_index(rule.where->parameter), rule.where->is, rule.where->values});
+  if (!hold_somewhere(conditions, grid)) return;
+  const Value& most = grid.values[smaller].back();
+  const Value& least = grid.values[larger].front();
+  if (most <= least) return;
+  note_contradiction(grid, registry()[smaller], most, registry()[larger], least, std::string(rule.reason), findings);
 }
 
 /// Changes of the environment must happen while the job runs.
@@ -173,7 +190,7 @@ void check_changes(const GridValues& grid, Findings& findings) {
 
 void check_contradictions(const GridValues& grid, Findings& findings) {
   for (const auto& rule : compatibilities()) check_compatibility(rule, grid, findings);
-  check_standard_deviations(grid, findings);
+  for (const auto& rule : orders()) check_order(rule, grid, findings);
   check_changes(grid, findings);
 }
 

@@ -11,6 +11,8 @@
 #include "client/sweep_input.hpp"
 #include "client/sweep_summary.hpp"
 #include "client/sweep_watch.hpp"
+#include "experiment/parameters.hpp"
+#include "experiment/sweep.hpp"
 #include "messaging/program/join_options.hpp"
 #include "messaging/program/logging.hpp"
 #include "messaging/vendor_library.hpp"
@@ -22,7 +24,9 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
+#include <string_view>
 #include <thread>
 
 namespace lamprey::client::commands {
@@ -147,7 +151,37 @@ std::string shell_word(const std::string& text) {
   return quoted + "'";
 }
 
-void print_summary(const output::Console& console, const Options& options, const Result& result) {
+/// Whether the sweep's jobs differ in the parameter.
+bool varies(const experiment::SweepGrid& sweep, std::string_view parameter) {
+  std::set<experiment::Value> values;
+  for (const auto& grid : sweep.grids()) {
+    for (const auto& axis : grid.axes) {
+      if (axis.parameter == experiment::parameter_index(parameter))
+        values.insert(axis.values.begin(), axis.values.end());
+    }
+  }
+  return values.size() > 1;
+}
+
+/// A query to begin with: means for each combination of the sweep's choices, three of them at most.
+std::string first_query(const SweepInput& sweep) {
+  constexpr std::size_t most_columns = 3;
+  const experiment::SweepGrid grid(sweep.file.specification);
+  std::string columns;
+  std::string numbers;
+  std::size_t count = 0;
+  for (const auto& parameter : experiment::registry()) {
+    if (count == most_columns || parameter.kind != experiment::ParameterKind::choice) continue;
+    if (!varies(grid, parameter.name)) continue;
+    columns += std::string(parameter.name) + ", ";
+    numbers += (numbers.empty() ? "" : ", ") + std::to_string(++count);
+  }
+  return "SELECT " + columns + "count(*), avg(evolved_total) FROM result WHERE sweep = '" + sweep.name() + "'" +
+         (numbers.empty() ? "" : " GROUP BY " + numbers);
+}
+
+void print_summary(const output::Console& console, const Options& options, const SweepInput& input,
+                   const Result& result) {
   const auto& sweep = result.sweep;
   std::vector<std::pair<std::string, std::string>> pairs = {
       {"sweep", console.bold(sweep.name)},
@@ -161,9 +195,7 @@ void print_summary(const output::Console& console, const Options& options, const
   const std::string database = shell_word(options.database);
   console.out << "\nNext\n  lamprey results " << sweep.name << " --database " << database << '\n';
   if (exit_code_of(sweep) == exit_ok) {
-    console.out << "  sqlite3 -box " << database
-                << " \"SELECT mutation, steps, acceptance, count(*), avg(evolved_total) FROM result WHERE sweep = '"
-                << sweep.name << "' GROUP BY 1, 2, 3\"\n";
+    console.out << "  sqlite3 -box " << database << " \"" << first_query(input) << "\"\n";
   } else {
     console.out << "  sqlite3 -box " << database << " \"SELECT job, state, reason FROM job WHERE state <> 'done'\"\n";
   }
@@ -175,7 +207,7 @@ ExitCode run(const Options& options, const Context& context) {
   if (context.format == Format::json) {
     print(context.console, json_of(options, result));
   } else {
-    print_summary(context.console, options, result);
+    print_summary(context.console, options, sweep, result);
   }
   return exit_code_of(result.sweep);
 }

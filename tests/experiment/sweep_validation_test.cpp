@@ -250,6 +250,25 @@ TEST(Validate, DoesNotLookAtAxesThatWereLeftUnreadAfterAHundredProblems) {
   EXPECT_EQ(validate(specification, ReadBefore{.problems = found, .grid_paths = {}}).size(), maximum_problems);
 }
 
+TEST(Validate, FindsNumbersThatATrainerCannotHaveTogether) {
+  auto specification = empty_sweep();
+  add_base(specification, "trainer").set_text("genetic_algorithm");
+  add_base(specification, "selection").set_text("tournament");
+  add_base(specification, "population").set_integer(8);
+  add_base(specification, "tournament_size").set_integer(9);
+  EXPECT_THAT(
+      problems_of(specification),
+      ElementsAre("base.tournament_size: tournament_size 9 contradicts population 8: a tournament has different "
+                  "members of the population"));
+  specification.clear_base();
+  add_base(specification, "trainer").set_text("evolution_strategy");
+  add_base(specification, "strategy").set_text("mu_comma_lambda");
+  add_base(specification, "offspring").set_integer(39);
+  EXPECT_THAT(problems_of(specification), ElementsAre(HasSubstr("population 40 contradicts offspring 39")));
+  specification.mutable_base(1)->mutable_value()->set_text("mu_plus_lambda");
+  EXPECT_THAT(problems_of(specification), testing::IsEmpty());
+}
+
 TEST(Validate, FindsContradictionsWithinTheBase) {
   auto specification = empty_sweep();
   add_base(specification, "steps").set_text("one_fifth_rule");
