@@ -38,8 +38,8 @@ using Action = std::function<ExitCode(const Context&)>;
 /// a row, its test and a line in CMake.
 struct Command {
   std::string_view name;
-  std::string_view group;    ///< heading in the overview
-  std::string_view summary;  ///< one line
+  std::string_view group;                 ///< heading in the overview
+  std::string_view summary;               ///< one line
   std::vector<std::string_view> formats;  ///< the first is the default
   /// Declares arguments and options on `app`; the answer is called after they have been read.
   Action (*declare)(CLI::App& app);
