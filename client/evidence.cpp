@@ -65,6 +65,9 @@ std::string Reading::text() const {
     if (literal == "null") continue;
     text += (text.empty() ? "" : ", ") + column + " " + output::readable(literal);
   }
+  for (const auto& [column, literal] : settings) {
+    text += (text.empty() ? "" : ", ") + column + " " + output::readable(literal);
+  }
   return text;
 }
 
@@ -79,6 +82,7 @@ std::string Reading::condition() const {
       condition += " AND coalesce(" + column + ", " + sql_literal(literal) + ") = " + sql_literal(literal);
     }
   }
+  for (const auto& [column, literal] : settings) condition += " AND " + column + " = " + sql_literal(literal);
   return condition;
 }
 

@@ -35,7 +35,8 @@ class Rows {
 /// Jobs of some sweeps that agree in how the thesis is read: posture, criterion, temperature and the like.
 struct Reading {
   std::vector<std::string> sweeps;
-  std::vector<std::pair<std::string, std::string>> values;  ///< column of `result` and literal; null: doesn't apply
+  std::vector<std::pair<std::string, std::string>> values;      ///< column of `result` and literal; null: doesn't apply
+  std::vector<std::pair<std::string, std::string>> settings{};  ///< the same, of what every job must have
 
   /// "posture reset, criterion total": the values without those that don't apply.
   std::string text() const;

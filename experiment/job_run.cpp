@@ -18,6 +18,9 @@ double share_of(const Parameters& parameters, std::string_view name) {
   return static_cast<double>(parameters.integer(name)) / 100;
 }
 
+/// Of one step: so few that a requested stop is met soon, however large a population or a schedule is.
+constexpr std::uint32_t most_cycles_per_step = 1024;
+
 evolution::Training training_of(const Job& job, const evolution::Problem& problem) {
   const fitness::Environment surroundings = environment(job.parameters);
   return {.problem = problem,
@@ -85,7 +88,8 @@ void JobRun::advance() {
   if (finished()) return;
   if (recorder_.cycles() == end_of_environment()) meet(changes_[changes_met_++].environment);
   reports_.clear();
-  trainer_->advance(training_, end_of_environment() - recorder_.cycles(), reports_);
+  const std::uint32_t budget = std::min(end_of_environment() - recorder_.cycles(), most_cycles_per_step);
+  trainer_->advance(training_, budget, reports_);
   recorder_.record(training_, reports_, trainer_->genes());
   finish_if_done();
 }

@@ -65,8 +65,8 @@ class JobRun {
   std::vector<science::evolution::CycleReport> reports_;  ///< kept for its memory only
 };
 
-/// Runs a job from its beginning to its end. A requested stop ends it between two steps of its trainer, a generation at
-/// most. Throws as JobRun does. Any thread.
+/// Runs a job from its beginning to its end. A requested stop ends it between two steps of its trainer, 1024
+/// evaluations at most. Throws as JobRun does. Any thread.
 std::variant<Outcome, Interrupted> run_job(const Job& job, const std::stop_token& stop);
 
 /// One evaluation of the undisturbed gait from standing, or what is expected where a network has no preset; its total

@@ -104,6 +104,10 @@ Condition not_tonic() {
 Condition of_tonic() {
   return {"network", true, {"tonic"}};
 }
+/// The frames of fig. 7.13 are compared as outputs: no robot stands on any ground.
+Condition not_frames() {
+  return {"gait", false, {"walk_frames"}};
+}
 Condition with_chain() {
   return {"actuator", true, {"leaky_chain"}};
 }
@@ -194,7 +198,7 @@ void add_operators(std::vector<Parameter>& rows) {
 
 void add_surroundings(std::vector<Parameter>& rows) {
   const auto ground = [](std::string_view name, std::string_view meaning) {
-    return integer(name, meaning, {0, 30, 10, "positions"}, "eq. 7.1, 9.4", {of_quadruped()});
+    return integer(name, meaning, {0, 30, 10, "positions"}, "eq. 7.1, 9.4", {of_quadruped(), not_frames()});
   };
   rows.insert(
       rows.end(),
@@ -206,7 +210,7 @@ void add_surroundings(std::vector<Parameter>& rows) {
           percent("required_fuel", "The weight of the fuel that remains in the fitness.", 100,
                   "8.2.3, eq. 7.4, fig. 8.1", {of_quadruped()}),
           real("push_factor", "How hard a push on the ground drives the body; 1 on flat ground.", {0, 1, 1},
-               "1.2, 9.4, eq. 7.7", {of_quadruped()}),
+               "1.2, 9.4, eq. 7.7", {of_quadruped(), not_frames()}),
           ground("ground_level_front_left", "Vertical position at which the front left foot meets the ground."),
           ground("ground_level_front_right", "Vertical position at which the front right foot meets the ground."),
           ground("ground_level_back_left", "Vertical position at which the back left foot meets the ground."),
@@ -232,7 +236,11 @@ void add_run(std::vector<Parameter>& rows) {
                  {{"trainer", true, {"rtea", "ii_rtea"}}, not_tonic()}),
           schedule("environment", "At which cycles the weights of the fitness and the ground change, and to what.",
                    "1.2, 8.2.3",
-                   {of_quadruped(), not_tonic(), {"trainer", true, {"rtea"}}, {"objective", true, {"maximise"}}}),
+                   {of_quadruped(),
+                    not_frames(),
+                    not_tonic(),
+                    {"trainer", true, {"rtea"}},
+                    {"objective", true, {"maximise"}}}),
           choice("record",
                  "What is kept besides scores: accepted changes, or also how far the genes moved and De Jong's on-line "
                  "and off-line performance.",

@@ -59,7 +59,8 @@ class SweepGrid {
   std::uint32_t replicates() const { return replicates_; }
   const std::vector<Grid>& grids() const { return grids_; }
 
-  /// The job of that number; throws std::out_of_range unless number < jobs().
+  /// The job of that number, with defaults where a parameter does not apply; throws std::out_of_range unless
+  /// number < jobs().
   Job job(std::uint64_t number) const;
 
  private:

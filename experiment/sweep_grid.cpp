@@ -74,6 +74,10 @@ Job SweepGrid::job(std::uint64_t number) const {
     job.parameters.set(axis->parameter, axis->values[cell % axis->values.size()]);
     cell /= axis->values.size();
   }
+  // What does not apply is no part of the identity, so it must be no part of the outcome either.
+  for (std::size_t row = 0; row < registry().size(); ++row) {
+    if (!job.parameters.applies(row)) job.parameters.set(row, registry()[row].default_value);
+  }
   return job;
 }
 

@@ -73,8 +73,8 @@ std::string panels(const std::map<double, std::vector<Course>>& rates, const Axe
 
 Picture rate_panels(const Request& request, const Figure& figure, const Axes& axes) {
   const auto reading = biped_reading(request, figure);
-  const auto rates =
-      by_rate(courses(*request.evidence, reading, {"mutation_rate", "network"}, "", axes.against_variation));
+  const auto rates = by_rate(courses(*request.evidence, reading, {"mutation_rate", "network"},
+                                     "mutation_rate IS NOT NULL", axes.against_variation));
   if (rates.empty()) no_data(figure, {sweep_of(figure.name)});
   const auto script = panels(rates, axes);
   const auto split = script.find('\f');
@@ -153,7 +153,10 @@ constexpr std::size_t most_curves = 12;
 Picture fitness_of_jobs(const Request& request, const Figure& figure) {
   std::vector<std::vector<std::string>> sweeps;
   for (const auto& sweep : request.evidence->sweeps()) sweeps.push_back({sweep.what.name});
-  const auto reading = chosen_reading(request, figure, sweeps, {});
+  // Jobs of different readings, or of different lengths, have no course in common.
+  std::vector<std::string> readings = {"posture", "criterion", "temperature", "cycles"};
+  if (request.average_by) std::erase(readings, *request.average_by);
+  const auto reading = chosen_reading(request, figure, sweeps, readings);
   if (request.average_by && !request.evidence->has_column("result", *request.average_by))
     throw Failure(exit_usage, "unknown_column", "the view 'result' has no column '" + *request.average_by + "'");
   std::vector<std::string> group_by;

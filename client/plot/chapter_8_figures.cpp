@@ -47,7 +47,14 @@ std::vector<Panel> panels_of(std::string_view figure) {
 
 constexpr std::array scores = {"expected", "evolved", "highest"};
 
-std::string bars_sql(const Reading& reading, const Panel& panel) {
+/// Chapter 8 has one network and one trainer; a sweep that the user names may have others. Databases of older versions
+/// know the one trainer only.
+std::string of_published_system(const Evidence& evidence) {
+  return std::string(" AND network = 'four_mother'") +
+         (evidence.has_column("result", "trainer") ? " AND trainer = 'rtea'" : "");
+}
+
+std::string bars_sql(const Evidence& evidence, const Reading& reading, const Panel& panel) {
   std::string sql = "SELECT count(*) AS jobs, 100 * avg(success_rate) AS success";
   for (const std::string score : scores) {
     for (const std::string part : {"stability", "distance", "fuel"}) {
@@ -55,7 +62,7 @@ std::string bars_sql(const Reading& reading, const Panel& panel) {
     }
     sql += ", avg(" + score + "_total) AS " + score + "_total";
   }
-  return sql + "\nFROM result WHERE " + reading.condition() + " AND " + panel.condition;
+  return sql + "\nFROM result WHERE " + reading.condition() + of_published_system(evidence) + " AND " + panel.condition;
 }
 
 /// Rows of a histogram: stability, distance, fuel, total; a column per score. Empty without jobs.
@@ -93,7 +100,7 @@ Picture operator_bars(const Request& request, const Figure& figure) {
   std::string plots;
   bool any = false;
   for (std::size_t i = 0; i < panels.size(); ++i) {
-    const auto rows = request.evidence->query(bars_sql(reading, panels[i]));
+    const auto rows = request.evidence->query(bars_sql(*request.evidence, reading, panels[i]));
     const auto bars = bars_of(rows);
     if (bars.empty()) continue;
     const std::string name = "bars" + std::to_string(i);
@@ -125,14 +132,14 @@ struct Surface {
   double expected = 0;
 };
 
-std::string surface_sql(const Reading& reading, std::string_view figure) {
+std::string surface_sql(const Evidence& evidence, const Reading& reading, std::string_view figure) {
   const bool normal = figure == "8-6" || figure == "8-7";
   const bool annealing = figure == "8-7" || figure == "8-9";
   return "SELECT mutation, equilibrium_disturbance AS disturbance, mutation_size AS size, avg(expected_total) AS "
          "expected,\n"
          "  avg(evolved_total) AS evolved, avg(highest_total) AS highest\nFROM result WHERE " +
-         reading.condition() + " AND steps = '" + (normal ? "normal" : "uniform") + "' AND acceptance = '" +
-         (annealing ? "annealing" : "simple") +
+         reading.condition() + of_published_system(evidence) + " AND steps = '" + (normal ? "normal" : "uniform") +
+         "' AND acceptance = '" + (annealing ? "annealing" : "simple") +
          "'\nGROUP BY mutation, disturbance, size ORDER BY mutation, disturbance, size";
 }
 
@@ -198,7 +205,7 @@ std::string points_panel(const std::string& name, const Surface& surface) {
 
 Picture disturbance_surfaces(const Request& request, const Figure& figure) {
   const auto reading = chosen_reading(request, figure, grid_sweeps, grid_readings);
-  const auto surfaces = surfaces_of(request.evidence->query(surface_sql(reading, figure.name)));
+  const auto surfaces = surfaces_of(request.evidence->query(surface_sql(*request.evidence, reading, figure.name)));
   if (surfaces.empty()) no_data(figure, {"thesis-chapter-8"});
   double low = surfaces.front().expected;
   double high = low;

@@ -109,7 +109,7 @@ Reading chosen_reading(const Request& request, const Figure& figure,
       for (const auto& [column, text] : request.settings) {
         const bool known =
             std::ranges::any_of(reading.values, [&](const auto& value) { return value.first == column; });
-        if (!known) reading.values.emplace_back(column, json_literal(text));
+        if (!known) reading.settings.emplace_back(column, json_literal(text));
       }
       return reading;
     }

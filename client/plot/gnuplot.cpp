@@ -77,6 +77,8 @@ void draw(const Picture& picture, const std::filesystem::path& file, PictureForm
   }
   const std::string script = terminal(picture, format) + "set output " + in_quotes(file.string()) + "\n" +
                              picture.script + "\nunset multiplot\nset output\n";
+  std::error_code none_before;
+  std::filesystem::remove(file, none_before);  // so that a picture that is there afterwards is this one
   processes::ChildProcess gnuplot(*program, {"-d", "-"}, script);
   std::vector<std::string> said;
   for (;;) {

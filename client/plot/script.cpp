@@ -49,10 +49,14 @@ std::string common_style() {
 namespace {
 
 /// The text between double quotes, in which gnuplot reads \n as a line's end.
+/// gnuplot runs what stands between backquotes as a command of the shell, also within double quotes: titles come from
+/// databases, so an apostrophe takes their place.
 std::string in_double_quotes(std::string_view text) {
   std::string result = "\"";
   for (const char character : text) {
-    if (character == '\n') {
+    if (character == '`') {
+      result += '\'';
+    } else if (character == '\n') {
       result += "\\n";
     } else {
       if (character == '"' || character == '\\') result += '\\';

@@ -8,6 +8,9 @@ namespace lamprey::client::report {
 
 namespace {
 
+/// Chapter 8 has no other network; a sweep of the same name might.
+const std::string of_published_system = " AND network = 'four_mother'";
+
 const std::vector<std::string> compared = {"evolved_total", "highest_total", "success_rate"};
 
 std::string among_clause(const std::string& among) {
@@ -43,15 +46,16 @@ std::string pairing_sql(const Reading& reading, const Pairing& pairing) {
   for (const auto& axis : grid_axes) {
     if (!has(cell, axis) && !has(pairing.differing, axis)) cell.push_back(axis);
   }
+  cell.emplace_back("replicate");
   std::string sql = "WITH cell AS (\n  SELECT " + with_comma(pairing.kept) +
                     "avg(expected_total) AS expected, avg(success_rate) AS success_level";
   for (const auto& column : compared) {
     sql += ",\n    avg(CASE WHEN " + pairing.first + " THEN " + column + " END) - avg(CASE WHEN " + pairing.second +
            " THEN " + column + " END) AS " + column;
   }
-  sql += "\n  FROM result\n  WHERE " + reading.condition() + among_clause(pairing.among) + " AND (" + pairing.first +
-         " OR " + pairing.second + ")\n  GROUP BY " + column_list(cell) + ")\nSELECT " + with_comma(pairing.kept) +
-         "count(*) AS n, avg(expected) AS expected, avg(success_level) AS success_level";
+  sql += "\n  FROM result\n  WHERE " + reading.condition() + of_published_system + among_clause(pairing.among) +
+         " AND (" + pairing.first + " OR " + pairing.second + ")\n  GROUP BY " + column_list(cell) + ")\nSELECT " +
+         with_comma(pairing.kept) + "count(*) AS n, avg(expected) AS expected, avg(success_level) AS success_level";
   for (const auto& column : compared) {
     sql += ",\n  avg(" + column + ") AS " + column + ", avg(" + column + " * " + column + ") AS " + column + "_squared";
   }
@@ -68,7 +72,8 @@ std::string averages_sql(const Reading& reading, const std::vector<std::string>&
     sql += ",\n  avg(" + distance + ") AS " + column + "_reached, avg((" + distance + ") * (" + distance + ")) AS " +
            column + "_reached_squared";
   }
-  return sql + "\nFROM result\nWHERE " + reading.condition() + among_clause(among) + group_clause(kept);
+  return sql + "\nFROM result\nWHERE " + reading.condition() + of_published_system + among_clause(among) +
+         group_clause(kept);
 }
 
 }  // namespace lamprey::client::report

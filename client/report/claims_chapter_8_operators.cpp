@@ -3,6 +3,7 @@
 #include "client/report/judgement.hpp"
 
 #include <array>
+#include <cmath>
 
 /// Claims 1 to 5: operators of the RTEA (8.3.1, 8.3.3, 8.4).
 namespace lamprey::client::report {
@@ -31,7 +32,7 @@ using MaybeRow = std::optional<std::size_t>;
 Part equivalent_fitness(const Rows& rows, MaybeRow row, std::string name, const std::string& sql) {
   Part part = part_of(std::move(name), "within ±5 %", equivalence_of_fitness, sql);
   if (!row) return part;
-  const double margin = margin_share * rows.number(*row, "expected").value_or(0);
+  const double margin = margin_share * std::fabs(rows.number(*row, "expected").value_or(0));
   part.expectation = "within ±" + figure(margin, 3);
   for (const auto& column : fitness_columns) {
     const auto interval = mean_interval(sample_in(rows, *row, column), equivalence_confidence);

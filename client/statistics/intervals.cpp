@@ -121,7 +121,7 @@ std::optional<PlaneSlopes> plane_slopes(std::span<const Cell> cells, double conf
 }
 
 bool equivalent(const Interval& interval, double margin) {
-  return interval.low > -margin && interval.high < margin;
+  return interval.low >= -margin && interval.high <= margin;
 }
 
 }  // namespace lamprey::client::statistics
