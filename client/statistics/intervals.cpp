@@ -121,7 +121,9 @@ std::optional<PlaneSlopes> plane_slopes(std::span<const Cell> cells, double conf
 }
 
 bool equivalent(const Interval& interval, double margin) {
-  return interval.low >= -margin && interval.high <= margin;
+  // Nothing but zeros is equal by any margin, also by one that is a share of zero.
+  if (interval.low == 0 && interval.high == 0) return true;
+  return interval.low > -margin && interval.high < margin;
 }
 
 }  // namespace lamprey::client::statistics

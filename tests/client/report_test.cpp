@@ -186,7 +186,7 @@ TEST_F(ReportTest, TheShownQueryGivesTheShownNumber) {
   const auto rows = client::Evidence(database).query(part["sql"].get<std::string>());
   ASSERT_EQ(rows.text(0, "mutation"), "all");
   EXPECT_EQ(rows.number(0, "evolved_total"), part["measured"][0]["estimate"].get<double>());
-  EXPECT_EQ(rows.number(0, "n"), 18) << "two kinds of steps, three levels on both axes";
+  EXPECT_EQ(rows.number(0, "n"), 36) << "two kinds of steps, three levels on both axes, two replicates";
 }
 
 TEST_F(ReportTest, WhatIsNotInTheDatabaseIsNotRunAndSaysWhatToRun) {

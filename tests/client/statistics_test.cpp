@@ -112,6 +112,7 @@ TEST(StatisticsTest, EquivalenceNeedsTheWholeIntervalWithinTheMargin) {
   EXPECT_TRUE(equivalent({.estimate = 1, .low = -2, .high = 4}, 5));
   EXPECT_FALSE(equivalent({.estimate = 1, .low = -6, .high = 4}, 5));
   EXPECT_FALSE(equivalent({.estimate = 4, .low = 3, .high = 5}, 5)) << "the margin itself is too far";
+  EXPECT_TRUE(equivalent({.estimate = 0, .low = 0, .high = 0}, 0)) << "two rates of zero are no difference";
 }
 
 }  // namespace
