@@ -4,6 +4,7 @@
 #include "science/actuators/servo.hpp"
 #include "science/neurons/leaky_integrator.hpp"
 #include "science/robots/quadruped.hpp"
+#include "science/saving/archive.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -53,6 +54,11 @@ struct ActuatorState {
 
   bool operator==(const ActuatorState&) const = default;
 };
+
+void fields(auto& archive, saving::Of<ActuatorState> auto& state) {
+  fields(archive, state.integrator);
+  fields(archive, state.servo);
+}
 
 /// At rest `offset` positions from standing, where the integrator's output holds it.
 constexpr ActuatorState at_rest(double offset) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "science/saving/archive.hpp"
+
 namespace lamprey::science::actuators {
 
 /// The linear servomotor of eq. 6.1, a double integrator: d²θ/dt² = V.
@@ -9,6 +11,11 @@ struct Servo {
 
   bool operator==(const Servo&) const = default;
 };
+
+void fields(auto& archive, saving::Of<Servo> auto& servo) {
+  archive.real("angle", servo.angle);
+  archive.real("speed", servo.speed);
+}
 
 /// A voltage is held for half a time step, so that one step can both start a move and stop it.
 inline constexpr double half_step = 0.5;

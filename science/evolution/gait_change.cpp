@@ -44,9 +44,9 @@ GaitChange::GaitChange(MutationTechnique mutation) : mutation_(mutation) {
   }
 }
 
-fitness::Fitness GaitChange::begin(const Training& training) {
-  const auto preset = training.problem.preset();
-  const GenePlan& plan = training.problem.plan();
+void GaitChange::start(const Problem& problem) {
+  const auto preset = problem.preset();
+  const GenePlan& plan = problem.plan();
   if (plan.units.size() != networks::tonic_mothers || preset.empty()) {
     throw std::invalid_argument("a change of gait needs the tonic network with a preset");
   }
@@ -54,6 +54,10 @@ fitness::Fitness GaitChange::begin(const Training& training) {
   if (!gait) throw std::invalid_argument("the preset's tonic is no row of the table in 9.3");
   state_.gait = *gait;
   state_.genes.assign(preset.begin(), preset.end());
+}
+
+fitness::Fitness GaitChange::begin(const Training& training) {
+  start(training.problem);
   return try_from_standing(training, state_.genes);
 }
 
@@ -75,15 +79,48 @@ void GaitChange::advance(const Training& training, std::uint32_t /*budget*/, std
   const auto gait = gait_of_genes(training.problem.plan(), state_.genes);
   report.success = gait && *gait != state_.gait;
   if (report.success) {
-    state_.gait = *gait;
-    state_.measures.push_back({"gait_change_failures", state_.changes, static_cast<double>(state_.failures)});
-    state_.measures.push_back({"gait_reached", state_.changes, static_cast<double>(state_.gait)});
-    ++state_.changes;
+    note_change(*gait, state_.failures);
     state_.failures = 0;
   } else {
     ++state_.failures;
   }
   reports.push_back(report);
+}
+
+void GaitChange::note_change(networks::TonicGait gait, std::uint32_t failures) {
+  state_.gait = gait;
+  state_.measures.push_back({"gait_change_failures", state_.changes, static_cast<double>(failures)});
+  state_.measures.push_back({"gait_reached", state_.changes, static_cast<double>(gait)});
+  ++state_.changes;
+}
+
+// Of the changes only the failures before each and the gait that it reached are kept: they give the measures and the
+// present gait.
+
+void GaitChange::save(const Training& training, saving::Writer& writer) const {
+  fields(writer, training.problem.plan(), state_.genes);
+  writer.whole("failures", state_.failures, 0, state_.cycle);
+  writer.whole("changes", state_.changes, 0, state_.cycle);
+  for (const Measure& measure : state_.measures) {
+    writer.whole("failures or gait", static_cast<std::uint32_t>(measure.value), 0, state_.cycle);
+  }
+}
+
+void GaitChange::restore(const Training& training, std::uint32_t cycles, saving::Reader& reader) {
+  start(training.problem);
+  state_.cycle = cycles;
+  fields(reader, training.problem.plan(), state_.genes);
+  reader.whole("failures", state_.failures, 0, cycles);
+  std::uint32_t changes = 0;
+  reader.whole("changes", changes, 0, cycles);
+  while (state_.changes < changes) {
+    std::uint32_t failures = 0;
+    std::uint32_t gait = 0;
+    reader.whole("failures before a change", failures, 0, cycles);
+    reader.whole("gait", gait, static_cast<std::uint32_t>(networks::TonicGait::walk),
+                 static_cast<std::uint32_t>(networks::TonicGait::pace));
+    note_change(static_cast<networks::TonicGait>(gait), failures);
+  }
 }
 
 std::vector<Measure> GaitChange::measures() const {

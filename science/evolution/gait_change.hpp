@@ -46,11 +46,18 @@ class GaitChange final : public Trainer {
   /// failures_after_last_change.
   std::vector<Measure> measures() const override;
 
+  bool can_be_saved() const override { return true; }
+  void save(const Training& training, saving::Writer& writer) const override;
+  void restore(const Training& training, std::uint32_t cycles, saving::Reader& reader) override;
   std::unique_ptr<Trainer> clone() const override { return std::make_unique<GaitChange>(*this); }
 
   const GaitChangeState& state() const { return state_; }
 
  private:
+  /// The preset's genes and gait; throws as begin() does.
+  void start(const Problem& problem);
+  void note_change(networks::TonicGait gait, std::uint32_t failures);
+
   MutationTechnique mutation_;
   GaitChangeState state_;
 };

@@ -1,6 +1,10 @@
 #pragma once
 
+#include "science/saving/archive.hpp"
+
+#include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 namespace lamprey::science::evolution {
@@ -29,6 +33,14 @@ struct GenePlan {
   /// Kinds of units of which an equal share is disturbed (8.2.2): vertical and horizontal ones. At least one kind.
   std::vector<std::vector<std::uint32_t>> kinds;
 };
+
+/// As many genes as the plan has, each within its bounds.
+void fields(auto& archive, const GenePlan& plan, saving::Of<std::vector<double>> auto& genes) {
+  if constexpr (!std::is_const_v<std::remove_reference_t<decltype(genes)>>) genes.resize(plan.genes.size());
+  for (std::size_t i = 0; i < genes.size(); ++i) {
+    saving::real_within(archive, "gene", genes[i], plan.genes[i].minimum, plan.genes[i].maximum);
+  }
+}
 
 /// `value` within the gene's bounds.
 inline double held(const Gene& gene, double value) {

@@ -3,6 +3,7 @@
 #include "science/evolution/gene_plan.hpp"
 #include "science/fitness/environment.hpp"
 #include "science/robots/recording.hpp"
+#include "science/saving/archive.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -51,6 +52,10 @@ class Problem {
   /// One evaluation from where `body` is, which is left where it ends. `genes` are as many as the plan has.
   virtual fitness::Fitness evaluate(std::span<const double> genes, const fitness::Environment& environment,
                                     Body& body) const = 0;
+
+  /// A body as octets, and back, the same on any machine; what is read is checked (saving::Invalid).
+  virtual void save(const Body& body, saving::Writer& writer) const = 0;
+  virtual void restore(saving::Reader& reader, Body& body) const = 0;
 
   /// What the objective `target` aims at: the fitness of the wanted gait from standing in that environment (8.2.3).
   virtual fitness::Fitness expected(const fitness::Environment& environment) const = 0;

@@ -1,5 +1,6 @@
 #include "science/evolution/rtea.hpp"
 
+#include <limits>
 #include <utility>
 
 namespace lamprey::science::evolution {
@@ -33,6 +34,29 @@ fitness::Fitness Rtea::begin(const Training& training) {
 fitness::Fitness Rtea::meet(const Training& training) {
   if (settings_.posture == Posture::reset) state_.body.reset();
   return begin(training);
+}
+
+namespace {
+
+/// The body lives on under `carry` only; the number of cycles is known.
+void fields(auto& archive, const RteaSettings& settings, const GenePlan& plan, saving::Of<RteaState> auto& state) {
+  fields(archive, plan, state.genes);
+  fields(archive, state.fitness);
+  fields(archive, settings.one_fifth_rule, state.one_fifth);
+  saving::real_within(archive, "temperature", state.temperature, 0, std::numeric_limits<double>::max());
+}
+
+}  // namespace
+
+void Rtea::save(const Training& training, saving::Writer& writer) const {
+  fields(writer, settings_, training.problem.plan(), state_);
+  if (settings_.posture == Posture::carry) training.problem.save(state_.body, writer);
+}
+
+void Rtea::restore(const Training& training, std::uint32_t cycles, saving::Reader& reader) {
+  state_.cycle = cycles;
+  fields(reader, settings_, training.problem.plan(), state_);
+  if (settings_.posture == Posture::carry) training.problem.restore(reader, state_.body);
 }
 
 bool Rtea::annealing_accepts(const Training& training, double error_change) const {

@@ -61,6 +61,9 @@ class Rtea final : public Trainer {
   void advance(const Training& training, std::uint32_t budget, std::vector<CycleReport>& reports) override;
   std::span<const double> genes() const override { return state_.genes; }
   fitness::Fitness meet(const Training& training) override;
+  bool can_be_saved() const override { return true; }
+  void save(const Training& training, saving::Writer& writer) const override;
+  void restore(const Training& training, std::uint32_t cycles, saving::Reader& reader) override;
   std::unique_ptr<Trainer> clone() const override { return std::make_unique<Rtea>(*this); }
 
   const RteaState& state() const { return state_; }

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "science/saving/archive.hpp"
+
+#include <algorithm>
 #include <cstdint>
 
 namespace lamprey::science::evolution {
@@ -32,6 +35,13 @@ struct OneFifthState {
 
   bool operator==(const OneFifthState&) const = default;
 };
+
+void fields(auto& archive, const OneFifthRule& rule, saving::Of<OneFifthState> auto& state) {
+  saving::real_within(archive, "standard_deviation", state.standard_deviation, 0,
+                      std::max(rule.first_standard_deviation, rule.maximum_standard_deviation));
+  archive.whole("tried", state.tried, 0, rule.window - 1);
+  archive.whole("successes", state.successes, 0, state.tried);
+}
 
 /// The first standard deviation, even where it is out of bounds: they hold for what the rule sets.
 OneFifthState first_state(const OneFifthRule& rule);

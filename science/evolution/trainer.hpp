@@ -3,6 +3,7 @@
 #include "science/evolution/objective.hpp"
 #include "science/evolution/problem.hpp"
 #include "science/random/stream.hpp"
+#include "science/saving/archive.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -68,6 +69,16 @@ class Trainer {
 
   /// All of them so far.
   virtual std::vector<Measure> measures() const { return {}; }
+
+  /// Whether save and restore are for this trainer; if not, they throw std::logic_error.
+  virtual bool can_be_saved() const { return false; }
+
+  /// Everything that decides what follows, unless the settings, the problem or the number of cycles give it.
+  virtual void save(const Training& training, saving::Writer& writer) const;
+
+  /// Instead of begin(): goes on where a trainer of the same settings, problem and training was saved after `cycles`
+  /// cycles. Throws saving::Invalid for what cannot be its state; it is of no use then.
+  virtual void restore(const Training& training, std::uint32_t cycles, saving::Reader& reader);
 
   virtual std::unique_ptr<Trainer> clone() const = 0;
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "science/robots/quadruped.hpp"
+#include "science/saving/archive.hpp"
 
 #include <array>
 #include <cstdint>
@@ -15,6 +16,15 @@ struct Fitness {
 
   bool operator==(const Fitness&) const = default;
 };
+
+/// Far beyond what any robot scores; what is read beyond it is refused, as it might end in no number.
+inline constexpr double largest_component = 1e6;
+
+void fields(auto& archive, saving::Of<Fitness> auto& fitness) {
+  saving::real_within(archive, "stability", fitness.stability, -largest_component, largest_component);
+  saving::real_within(archive, "distance", fitness.distance, -largest_component, largest_component);
+  saving::real_within(archive, "fuel", fitness.fuel, -largest_component, largest_component);
+}
 
 /// R_S, R_D and R_F of eq. 7.4, each in 0..1: the environment that the robot is in (8.2.3).
 struct Weights {

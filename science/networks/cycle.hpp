@@ -1,6 +1,7 @@
 #pragma once
 
 #include "science/networks/children.hpp"
+#include "science/saving/archive.hpp"
 
 #include <array>
 #include <cstddef>
@@ -31,6 +32,13 @@ constexpr CyclePlaces all_waiting() {
   CyclePlaces places{};
   places.fill(waiting);
   return places;
+}
+
+/// No place is further: networks::maximum_time, four times.
+inline constexpr std::int16_t furthest_place = 400;
+
+void places(auto& archive, saving::Of<CyclePlaces> auto& all) {
+  saving::wholes(archive, "places", all, waiting, furthest_place);
 }
 
 /// A child whose times shrank in mid-cycle may be past its end: it waits too.

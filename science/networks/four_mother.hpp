@@ -1,6 +1,7 @@
 #pragma once
 
 #include "science/networks/children.hpp"
+#include "science/saving/archive.hpp"
 
 #include <algorithm>
 #include <array>
@@ -58,6 +59,13 @@ struct FourMotherState {
   }
   bool operator==(const FourMotherState&) const = default;
 };
+
+void fields(auto& archive, saving::Of<FourMotherState> auto& state) {
+  saving::wholes(archive, "elapsed", state.elapsed, 0, static_cast<std::int32_t>(2 * maximum_time));
+  saving::flags(archive, "firing", state.firing);
+  saving::wholes(archive, "since_on_edge", state.since_on_edge, 0, long_ago);
+  saving::wholes(archive, "since_off_edge", state.since_off_edge, 0, long_ago);
+}
 
 /// One time step of eq. 7.11 (second). A mother fires for T_ON steps, then rests for T_OFF; its first rising edge is
 /// at the first step. An edge is a change of its output, so a mother with T_ON = 0 makes none, and one with T_OFF = 0

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "science/networks/cycle.hpp"
+#include "science/saving/archive.hpp"
 
 #include <algorithm>
 #include <array>
@@ -35,6 +36,11 @@ struct OneMotherState {
 
   bool operator==(const OneMotherState&) const = default;
 };
+
+void fields(auto& archive, saving::Of<OneMotherState> auto& state) {
+  archive.whole("since_trigger", state.since_trigger, 0, static_cast<std::int32_t>(maximum_time));
+  places(archive, state.places);
+}
 
 /// One time step. The first trigger is at the first step. A trigger during a child's cycle is ignored by that child;
 /// one in the step after its cycle starts it again. Pure but for `state`.

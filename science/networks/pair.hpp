@@ -2,6 +2,7 @@
 
 #include "science/evolution/gene_plan.hpp"
 #include "science/neurons/neuron.hpp"
+#include "science/saving/archive.hpp"
 
 #include <array>
 #include <cstddef>
@@ -29,6 +30,12 @@ struct PairState {
   /// input[to][from]. At first all inputs of N1 are −1 and all of N2 +1, whichever neuron they come from (6.2.2.1).
   std::array<std::array<std::int16_t, pair_size>, pair_size> input{{{-1, -1}, {1, 1}}};
 };
+
+template <typename Archive, typename State>
+void pair_fields(Archive& archive, State& state) {
+  for (auto& neuron : state.neuron) fields(archive, neuron);
+  for (auto& row : state.input) saving::wholes(archive, "input", row, -1, 1);
+}
 
 /// What the network did in one time step.
 struct PairStep {

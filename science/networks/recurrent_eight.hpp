@@ -1,6 +1,7 @@
 #pragma once
 
 #include "science/networks/cycle.hpp"
+#include "science/saving/archive.hpp"
 
 #include <array>
 #include <cstddef>
@@ -53,6 +54,12 @@ struct RecurrentEightState {
 
   bool operator==(const RecurrentEightState&) const = default;
 };
+
+void fields(auto& archive, saving::Of<RecurrentEightState> auto& state) {
+  places(archive, state.places);
+  saving::flags(archive, "has_fired", state.has_fired);
+  saving::wholes(archive, "outputs", state.outputs, -1, 1);
+}
 
 /// The net of child i: its inputs are the outputs of the step before.
 inline double net(const RecurrentEightSteps& steps, const ChildOutputs& outputs, std::size_t i) {

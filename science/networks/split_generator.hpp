@@ -3,6 +3,7 @@
 #include "science/networks/children.hpp"
 #include "science/neurons/acting_output.hpp"
 #include "science/neurons/timed.hpp"
+#include "science/saving/archive.hpp"
 
 #include <array>
 #include <cstddef>
@@ -63,6 +64,12 @@ struct SplitGeneratorState {
 
   bool operator==(const SplitGeneratorState&) const = default;
 };
+
+void fields(auto& archive, saving::Of<SplitGeneratorState> auto& state) {
+  for (auto& neuron : state.oscillator) fields(archive, neuron);
+  saving::wholes(archive, "acting", state.acting, -1, 1);
+  for (auto& neuron : state.pattern) fields(archive, neuron);
+}
 
 /// One time step; wanted positions. Pure but for `state`.
 ChildLevels step(const SplitGeneratorSteps& steps, SplitGeneratorState& state);

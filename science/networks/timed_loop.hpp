@@ -1,6 +1,7 @@
 #pragma once
 
 #include "science/networks/children.hpp"
+#include "science/saving/archive.hpp"
 
 #include <array>
 #include <cstddef>
@@ -39,6 +40,11 @@ struct TimedLoopState {
 
   bool operator==(const TimedLoopState&) const = default;
 };
+
+void fields(auto& archive, saving::Of<TimedLoopState> auto& state) {
+  // One short of the largest: the next step must not run over.
+  archive.whole("elapsed", state.elapsed, 0, std::int16_t{32'766});
+}
 
 /// One time step. A servo switched both ways stands still; what is still on at the loop's end is switched off. Pure but
 /// for `state`.

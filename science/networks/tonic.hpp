@@ -1,6 +1,7 @@
 #pragma once
 
 #include "science/networks/children.hpp"
+#include "science/saving/archive.hpp"
 
 #include <array>
 #include <cstddef>
@@ -82,6 +83,12 @@ struct TonicState {
 
   bool operator==(const TonicState&) const = default;
 };
+
+void fields(auto& archive, saving::Of<TonicState> auto& state) {
+  archive.whole("step_of_swing", state.step_of_swing, 0, shifts_per_swing * steps_per_shift - 1);
+  saving::wholes(archive, "previous", state.previous, -1, 1);
+  saving::reals(archive, "positions", state.positions);
+}
 
 /// How many places clockwise the pulses are after `shift` shifts of a swing, 0..shifts_per_swing − 1.
 constexpr std::int32_t places_clockwise(std::int32_t shift) {

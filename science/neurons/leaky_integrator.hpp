@@ -1,5 +1,7 @@
 #pragma once
 
+#include "science/saving/archive.hpp"
+
 namespace lamprey::science::neurons {
 
 /// McMinn's leaky integrator (2.6.1, fig. 2.6), which turns an output that is on or off in time into a continuous one:
@@ -15,6 +17,10 @@ struct LeakyIntegratorState {
 
   bool operator==(const LeakyIntegratorState&) const = default;
 };
+
+void fields(auto& archive, saving::Of<LeakyIntegratorState> auto& state) {
+  archive.real("output", state.output);
+}
 
 /// One time step with input u = `net`; y after it. Pure but for `state`.
 inline double step(const LeakyIntegrator& integrator, double net, LeakyIntegratorState& state) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "science/neurons/neuron.hpp"
+#include "science/saving/archive.hpp"
 
 #include <cstddef>
 #include <span>
@@ -21,6 +22,8 @@ struct McCullochPittsNeuron {
 
   static McCullochPittsNeuron from_genes(std::span<const double>, double threshold) { return {threshold}; }
 };
+
+void fields(auto& /*archive*/, saving::Of<McCullochPittsNeuron::State> auto& /*state*/) {}
 
 inline NeuronOutput step(const McCullochPittsNeuron& neuron, double net, McCullochPittsNeuron::State&) {
   return net >= neuron.threshold ? NeuronOutput{1, 1} : NeuronOutput{0, 0};

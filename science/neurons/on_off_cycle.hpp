@@ -1,6 +1,7 @@
 #pragma once
 
 #include "science/neurons/neuron.hpp"
+#include "science/saving/archive.hpp"
 
 #include <cstdint>
 
@@ -16,6 +17,14 @@ struct OnOffState {
 
   bool operator==(const OnOffState&) const = default;
 };
+
+/// No neuron fires or pauses for longer, in steps: networks::maximum_time.
+inline constexpr std::int32_t longest_phase = 100;
+
+void fields(auto& archive, saving::Of<OnOffState> auto& state) {
+  archive.whole("on_steps", state.on_steps, 0, longest_phase);
+  archive.whole("off_steps", state.off_steps, 0, longest_phase);
+}
 
 constexpr bool listens(const OnOffState& state) {
   return state.on_steps == 0 && state.off_steps == 0;

@@ -1,12 +1,16 @@
 #pragma once
 
 #include "science/neurons/neuron.hpp"
+#include "science/saving/archive.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
 namespace lamprey::science::neurons {
+
+/// In steps: networks::maximum_time.
+inline constexpr std::int32_t longest_pulse = 100;
 
 /// McMinn's time-dependent neuron (2.6.1, 6.2.2): +1 for a certain time once the net is above the threshold, else 0.
 /// A pulse starts where the net rises above the threshold, one for each such crossing: a net that stays above gives a
@@ -30,6 +34,11 @@ struct TimedNeuron {
     return {static_cast<std::int32_t>(time_genes[0]), threshold};
   }
 };
+
+void fields(auto& archive, saving::Of<TimedNeuron::State> auto& state) {
+  archive.whole("pulse_steps", state.pulse_steps, 0, longest_pulse);
+  archive.flag("above", state.above);
+}
 
 inline NeuronOutput step(const TimedNeuron& neuron, double net, TimedNeuron::State& state) {
   const bool above = net > neuron.threshold;

@@ -30,6 +30,13 @@ struct BipedBody {
       actuators::at_rest(robots::knee_release_position - biped_standing_position)};
 };
 
+template <typename Archive, typename State>
+void body_fields(Archive& archive, State& body) {
+  fields(archive, body.robot);
+  networks::pair_fields(archive, body.network);
+  for (auto& actuator : body.actuator) fields(archive, actuator);
+}
+
 template <typename Neuron>
 neurons::WeightRange weight_range(BipedWeights weights) {
   const double minimum = weights == BipedWeights::as_printed ? Neuron::weights.minimum : -Neuron::weights.maximum;
@@ -59,6 +66,16 @@ class BipedProblem final : public evolution::Problem {
     for (std::int32_t t = 0; t < time_steps_; ++t) fitness::count(counts, advance(network, state).robot);
     body.put(state);
     return fitness::score(counts, time_steps_);
+  }
+
+  void save(const evolution::Body& body, saving::Writer& writer) const override {
+    const auto now = body.get<State>();
+    body_fields(writer, now);
+  }
+  void restore(saving::Reader& reader, evolution::Body& body) const override {
+    State now;
+    body_fields(reader, now);
+    body.put(now);
   }
 
   robots::Recording record(std::span<const double> genes, const fitness::Environment&,

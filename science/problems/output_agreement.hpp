@@ -55,11 +55,21 @@ class OutputAgreement final : public evolution::Problem {
     for (std::int32_t t = 0; t < time_steps_; ++t) {
       const networks::ChildOutputs outputs = step(parameters, now.controller);
       for (std::size_t i = 0; i < networks::children; ++i) agreeing += outputs[i] == wanted[now.frame][i];
-      now.frame = (now.frame + 1) % wanted_frames;
+      now.frame = static_cast<std::uint8_t>((now.frame + 1) % wanted_frames);
     }
     body.put(now);
     const double cells = 8.0 * time_steps_;
     return {.stability = 100.0 * agreeing / cells};
+  }
+
+  void save(const evolution::Body& body, saving::Writer& writer) const override {
+    const auto now = body.get<Body>();
+    body_fields(writer, now);
+  }
+  void restore(saving::Reader& reader, evolution::Body& body) const override {
+    Body now;
+    body_fields(reader, now);
+    body.put(now);
   }
 
   /// The positions are those of a robot that stands and is moved by the outputs.
@@ -71,9 +81,13 @@ class OutputAgreement final : public evolution::Problem {
 
  private:
   struct Body {
-    std::size_t frame = 0;
+    std::uint8_t frame = 0;
     typename C::State controller;
   };
+  static void body_fields(auto& archive, saving::Of<Body> auto& body) {
+    archive.whole("frame", body.frame, 0, std::uint8_t{wanted_frames - 1});
+    fields(archive, body.controller);
+  }
 
   C controller_;
   std::int32_t time_steps_;

@@ -20,22 +20,30 @@ std::unique_ptr<evolution::Problem> controlled(C controller, const QuadrupedSett
                                                std::unique_ptr<const evolution::Problem> wanted) {
   if constexpr (C::output_kind == actuators::OutputKind::pulses) {
     if (settings.actuator.path == actuators::ActuatorPath::unit_move) {
-      return std::make_unique<ControlledQuadruped<C, DirectPath>>(std::move(controller), DirectPath{},
-                                                                  settings.time_steps, std::move(wanted));
+      return std::make_unique<ControlledQuadruped<C, DirectPath>>(
+          std::move(controller), DirectPath{}, settings.time_steps, std::move(wanted), settings.machine);
     }
   }
   return std::make_unique<ControlledQuadruped<C, ActuatorPath>>(
-      std::move(controller), ActuatorPath{settings.actuator, C::output_kind}, settings.time_steps, std::move(wanted));
+      std::move(controller), ActuatorPath{settings.actuator, C::output_kind}, settings.time_steps, std::move(wanted),
+      settings.machine);
+}
+
+/// What is expected of a robot is what the simulated one does.
+std::unique_ptr<evolution::Problem> simulated_four_mother(QuadrupedSettings settings) {
+  settings.machine = nullptr;
+  return controlled(FourMotherController{gaits::four_mother(settings.gait)}, settings, nullptr);
 }
 
 std::unique_ptr<evolution::Problem> four_mother(const QuadrupedSettings& settings) {
-  return controlled(FourMotherController{gaits::four_mother(settings.gait)}, settings, nullptr);
+  if (settings.machine == nullptr) return simulated_four_mother(settings);
+  return controlled(FourMotherController{gaits::four_mother(settings.gait)}, settings, simulated_four_mother(settings));
 }
 
 /// A network that is to do what the four-mother network's preset does.
 template <Controller C>
 std::unique_ptr<evolution::Problem> measured_by_four_mother(C controller, const QuadrupedSettings& settings) {
-  return controlled(std::move(controller), settings, four_mother(settings));
+  return controlled(std::move(controller), settings, simulated_four_mother(settings));
 }
 
 template <Controller C>

@@ -3,6 +3,7 @@
 #include "science/actuators/actuator.hpp"
 #include "science/evolution/problem.hpp"
 #include "science/gaits/gait.hpp"
+#include "science/robots/machine.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -30,6 +31,7 @@ struct QuadrupedSettings {
   std::int32_t time_steps = 100;               ///< T, at least 1; settled by the published 139.375 (docs/decisions)
   bool delay_refirings = true;                 ///< recurrent_eight only: whether D1 delays re-firings too
   TonicGenes tonic_genes = TonicGenes::tonic;  ///< tonic only
+  robots::Machine* machine = nullptr;          ///< evaluated on in the simulation's place; outlives the problem
 };
 
 /// Whether the network has a preset of the gait: four_mother and timed_loop of all but walk_frames, one_mother of all,
@@ -37,9 +39,9 @@ struct QuadrupedSettings {
 bool has_preset(QuadrupedNetwork network, gaits::Gait gait);
 
 /// The quadruped under a network, preset to a gait, which is what `target` aims at: expected() is what the four-mother
-/// preset of that gait scores with the same actuator and time_steps. Gait walk_frames has no robot: its stability is
-/// how far the outputs agree with those of fig. 7.13(b), per cent (output_agreement.hpp).
-/// Genes come unit by unit, a unit of genes per child in the order of networks::child, for each network:
+/// preset of that gait scores, simulated, with the same actuator and time_steps. Gait walk_frames has no robot: its
+/// stability is how far the outputs agree with those of fig. 7.13(b), per cent (output_agreement.hpp). Genes come unit
+/// by unit, a unit of genes per child in the order of networks::child, for each network:
 ///   four_mother      D1, T_ON, D2, T_OFF; the mothers are not tuned (7.4.4)
 ///   one_mother       the same; a ninth unit is T_D
 ///   recurrent_eight  the same and three weights, by networks::input_children

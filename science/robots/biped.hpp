@@ -1,6 +1,7 @@
 #pragma once
 
 #include "science/robots/quadruped.hpp"
+#include "science/saving/archive.hpp"
 
 #include <algorithm>
 #include <array>
@@ -27,6 +28,10 @@ struct Biped {
 
   bool operator==(const Biped&) const = default;
 };
+
+void fields(auto& archive, saving::Of<Biped> auto& robot) {
+  saving::wholes(archive, "position", robot.position, lowest_position, highest_position);
+}
 
 /// What one time step did, as eq. 6.4 counts it.
 struct BipedStep {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "science/robots/terrain.hpp"
+#include "science/saving/archive.hpp"
 
 #include <algorithm>
 #include <array>
@@ -44,6 +45,10 @@ struct Quadruped {
 
   bool operator==(const Quadruped&) const = default;
 };
+
+void fields(auto& archive, saving::Of<Quadruped> auto& robot) {
+  saving::wholes(archive, "position", robot.position, lowest_position, highest_position);
+}
 
 constexpr Quadruped standing() {
   Quadruped robot{};

@@ -65,4 +65,14 @@ void ChapterSixGa::survive(const Training& /*training*/, std::uint32_t /*generat
   members_ = std::move(members);
 }
 
+void ChapterSixGa::save_population(const Training& training, std::uint32_t /*generation*/,
+                                   saving::Writer& writer) const {
+  for (const Member& member : members_) fields(writer, training.problem.plan(), member);
+}
+
+void ChapterSixGa::restore_population(const Training& training, std::uint32_t generation, saving::Reader& reader) {
+  members_.resize(generation > 1 ? population : 0);
+  for (Member& member : members_) fields(reader, training.problem.plan(), member);
+}
+
 }  // namespace lamprey::science::evolution::trainers

@@ -38,6 +38,8 @@ class ChapterSixGa final : public OffLine {
   void found(std::vector<Member> first) override;
   std::vector<std::vector<double>> breed(const Training& training, std::uint32_t generation) override;
   void survive(const Training& training, std::uint32_t generation, std::vector<Member> members) override;
+  void save_population(const Training& training, std::uint32_t generation, saving::Writer& writer) const override;
+  void restore_population(const Training& training, std::uint32_t generation, saving::Reader& reader) override;
 
   double mutation_rate_;
   std::vector<Member> members_;  ///< of the generation before; none before the first

@@ -29,8 +29,8 @@ std::uint32_t children_of(const EvolutionStrategySettings& settings) {
 }  // namespace
 
 void require_ordered(const StepSizes& steps) {
-  require_within("smallest step", steps.smallest, std::numeric_limits<double>::min(), 1000);
-  require_within("largest step", steps.largest, steps.smallest, 1000);
+  require_within("smallest step", steps.smallest, std::numeric_limits<double>::min(), largest_step);
+  require_within("largest step", steps.largest, steps.smallest, largest_step);
   require_within("first step", steps.first, steps.smallest, steps.largest);
 }
 
@@ -107,6 +107,19 @@ void EvolutionStrategy::survive(const Training& /*training*/, std::uint32_t /*ge
   }
   std::ranges::stable_sort(parents_, {}, [](const Adapted& adapted) { return adapted.member.cost; });
   parents_.resize(settings_.population);
+}
+
+void EvolutionStrategy::save_population(const Training& training, std::uint32_t /*generation*/,
+                                        saving::Writer& writer) const {
+  for (const Adapted& parent : parents_) member_fields(writer, training.problem.plan(), parent);
+  fields(writer, rule_, rule_state_);
+}
+
+void EvolutionStrategy::restore_population(const Training& training, std::uint32_t /*generation*/,
+                                           saving::Reader& reader) {
+  parents_.resize(parents_of(settings_));
+  for (Adapted& parent : parents_) member_fields(reader, training.problem.plan(), parent);
+  fields(reader, rule_, rule_state_);
 }
 
 }  // namespace lamprey::science::evolution::trainers

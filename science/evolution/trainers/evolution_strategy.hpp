@@ -10,7 +10,10 @@
 
 namespace lamprey::science::evolution::trainers {
 
-/// Standard deviations of normal steps, in step units of genes; 0 < smallest ≤ first ≤ largest ≤ 1000.
+/// Of standard deviations of steps, in step units of genes.
+inline constexpr double largest_step = 1000;
+
+/// Standard deviations of normal steps, in step units of genes; 0 < smallest ≤ first ≤ largest ≤ largest_step.
 struct StepSizes {
   double first = 5;
   double smallest = 0.3;
@@ -58,10 +61,16 @@ class EvolutionStrategy final : public OffLine {
     Member member;
     double standard_deviation = 0;
   };
+  static void member_fields(auto& archive, const GenePlan& plan, saving::Of<Adapted> auto& adapted) {
+    fields(archive, plan, adapted.member);
+    saving::real_within(archive, "standard_deviation", adapted.standard_deviation, 0, largest_step);
+  }
 
   void found(std::vector<Member> first) override;
   std::vector<std::vector<double>> breed(const Training& training, std::uint32_t generation) override;
   void survive(const Training& training, std::uint32_t generation, std::vector<Member> children) override;
+  void save_population(const Training& training, std::uint32_t generation, saving::Writer& writer) const override;
+  void restore_population(const Training& training, std::uint32_t generation, saving::Reader& reader) override;
   std::vector<double> child(const Training& training, std::uint32_t generation, std::uint32_t number);
 
   EvolutionStrategySettings settings_;

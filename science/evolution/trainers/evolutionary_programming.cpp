@@ -62,4 +62,17 @@ void EvolutionaryProgramming::survive(const Training& training, std::uint32_t ge
   members_.resize(settings_.population);
 }
 
+// Scores are of one selection, which sets them all.
+
+void EvolutionaryProgramming::save_population(const Training& training, std::uint32_t /*generation*/,
+                                              saving::Writer& writer) const {
+  for (const Adapted& member : members_) member_fields(writer, training.problem.plan(), member);
+}
+
+void EvolutionaryProgramming::restore_population(const Training& training, std::uint32_t /*generation*/,
+                                                 saving::Reader& reader) {
+  members_.resize(settings_.population);
+  for (Adapted& member : members_) member_fields(reader, training.problem.plan(), member);
+}
+
 }  // namespace lamprey::science::evolution::trainers

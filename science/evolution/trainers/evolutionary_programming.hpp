@@ -41,10 +41,16 @@ class EvolutionaryProgramming final : public OffLine {
     double standard_deviation = 0;
     std::uint32_t score = 0;
   };
+  static void member_fields(auto& archive, const GenePlan& plan, saving::Of<Adapted> auto& adapted) {
+    fields(archive, plan, adapted.member);
+    saving::real_within(archive, "standard_deviation", adapted.standard_deviation, 0, largest_step);
+  }
 
   void found(std::vector<Member> first) override;
   std::vector<std::vector<double>> breed(const Training& training, std::uint32_t generation) override;
   void survive(const Training& training, std::uint32_t generation, std::vector<Member> children) override;
+  void save_population(const Training& training, std::uint32_t generation, saving::Writer& writer) const override;
+  void restore_population(const Training& training, std::uint32_t generation, saving::Reader& reader) override;
   void compete(const random::Stream& stream, std::uint32_t generation);
 
   EvolutionaryProgrammingSettings settings_;

@@ -58,4 +58,16 @@ void GeneticAlgorithm::survive(const Training& /*training*/, std::uint32_t /*gen
   found(std::move(children));
 }
 
+void GeneticAlgorithm::save_population(const Training& training, std::uint32_t /*generation*/,
+                                       saving::Writer& writer) const {
+  for (const Member& member : members_) fields(writer, training.problem.plan(), member);
+}
+
+void GeneticAlgorithm::restore_population(const Training& training, std::uint32_t /*generation*/,
+                                          saving::Reader& reader) {
+  std::vector<Member> members(settings_.population);
+  for (Member& member : members) fields(reader, training.problem.plan(), member);
+  found(std::move(members));
+}
+
 }  // namespace lamprey::science::evolution::trainers

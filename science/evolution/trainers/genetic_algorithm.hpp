@@ -38,6 +38,8 @@ class GeneticAlgorithm final : public OffLine {
   void found(std::vector<Member> first) override;
   std::vector<std::vector<double>> breed(const Training& training, std::uint32_t generation) override;
   void survive(const Training& training, std::uint32_t generation, std::vector<Member> children) override;
+  void save_population(const Training& training, std::uint32_t generation, saving::Writer& writer) const override;
+  void restore_population(const Training& training, std::uint32_t generation, saving::Reader& reader) override;
   operators::Children children(const Training& training, std::uint32_t generation, std::uint32_t pair) const;
 
   GeneticAlgorithmSettings settings_;

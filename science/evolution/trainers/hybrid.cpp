@@ -13,6 +13,12 @@ random::Stream refinement_stream(const random::Stream& stream) {
   return random::Stream(std::uint64_t{words[1]} << 32 | words[0]);
 }
 
+Training of_refinement(const Training& training) {
+  Training of_second = training;
+  of_second.stream = refinement_stream(training.stream);
+  return of_second;
+}
+
 }  // namespace
 
 Hybrid::Hybrid(std::unique_ptr<Trainer> first, Refinement then, std::uint32_t first_evaluations)
@@ -34,8 +40,7 @@ void Hybrid::advance(const Training& training, std::uint32_t budget, std::vector
     left_ -= static_cast<std::uint32_t>(reports.size() - before);
     return;
   }
-  Training of_second = training;
-  of_second.stream = refinement_stream(training.stream);
+  const Training of_second = of_refinement(training);
   if (!refines_) {
     const auto found = present_->genes();
     std::unique_ptr<Trainer> second = then_({found.begin(), found.end()});
@@ -44,6 +49,26 @@ void Hybrid::advance(const Training& training, std::uint32_t budget, std::vector
     refines_ = true;
   }
   present_->advance(of_second, budget, reports);
+}
+
+// Which of the two is at work follows from the number of cycles: the second begins with the first cycle that the first
+// one does not have.
+
+void Hybrid::save(const Training& training, saving::Writer& writer) const {
+  present_->save(refines_ ? of_refinement(training) : training, writer);
+}
+
+void Hybrid::restore(const Training& training, std::uint32_t cycles, saving::Reader& reader) {
+  if (cycles <= left_) {
+    left_ -= cycles;
+    return present_->restore(training, cycles, reader);
+  }
+  // The genes are placeholders: the second one reads its own.
+  std::unique_ptr<Trainer> second = then_(std::vector<double>(training.problem.plan().genes.size()));
+  second->restore(of_refinement(training), cycles - left_, reader);
+  present_ = std::move(second);
+  refines_ = true;
+  left_ = 0;
 }
 
 }  // namespace lamprey::science::evolution::trainers

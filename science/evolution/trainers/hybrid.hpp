@@ -26,6 +26,9 @@ class Hybrid final : public Trainer {
   fitness::Fitness begin(const Training& training) override { return present_->begin(training); }
   void advance(const Training& training, std::uint32_t budget, std::vector<CycleReport>& reports) override;
   std::span<const double> genes() const override { return present_->genes(); }
+  bool can_be_saved() const override { return present_->can_be_saved(); }
+  void save(const Training& training, saving::Writer& writer) const override;
+  void restore(const Training& training, std::uint32_t cycles, saving::Reader& reader) override;
   std::unique_ptr<Trainer> clone() const override { return std::make_unique<Hybrid>(*this); }
 
  private:

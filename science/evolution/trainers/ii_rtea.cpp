@@ -26,6 +26,17 @@ fitness::Fitness IiRtea::meet(const Training& training) {
   return fitness;
 }
 
+void IiRtea::save(const Training& training, saving::Writer& writer) const {
+  fields(writer, training.problem.plan(), accepted_);
+  if (settings_.posture == Posture::carry) training.problem.save(body_, writer);
+}
+
+void IiRtea::restore(const Training& training, std::uint32_t cycles, saving::Reader& reader) {
+  cycle_ = cycles;
+  fields(reader, training.problem.plan(), accepted_);
+  if (settings_.posture == Posture::carry) training.problem.restore(reader, body_);
+}
+
 void IiRtea::advance(const Training& training, std::uint32_t /*budget*/, std::vector<CycleReport>& reports) {
   const GenePlan& plan = training.problem.plan();
   std::vector<double> candidate = accepted_.genes;

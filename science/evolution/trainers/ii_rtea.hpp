@@ -33,6 +33,9 @@ class IiRtea final : public Trainer {
   void advance(const Training& training, std::uint32_t budget, std::vector<CycleReport>& reports) override;
   std::span<const double> genes() const override { return accepted_.genes; }
   fitness::Fitness meet(const Training& training) override;
+  bool can_be_saved() const override { return true; }
+  void save(const Training& training, saving::Writer& writer) const override;
+  void restore(const Training& training, std::uint32_t cycles, saving::Reader& reader) override;
   std::unique_ptr<Trainer> clone() const override { return std::make_unique<IiRtea>(*this); }
 
  private:

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 
 namespace lamprey::science::evolution::trainers {
 
@@ -57,16 +58,56 @@ fitness::Fitness OffLine::begin(const Training& training) {
   return fitness;
 }
 
-void OffLine::advance(const Training& training, std::uint32_t budget, std::vector<CycleReport>& reports) {
+void OffLine::prepare(const Training& training) {
   if (candidates_.empty() && generation_ > 0) candidates_ = breed(training, generation_);
   if (candidates_.empty()) {
     for (std::uint32_t member = 1; member < population_; ++member) {
       candidates_.push_back(first_member(training, member));
     }
   }
+}
+
+void OffLine::advance(const Training& training, std::uint32_t budget, std::vector<CycleReport>& reports) {
+  prepare(training);
   const std::size_t end = std::min(candidates_.size(), tried_.size() + budget);
   while (tried_.size() < end) tried_.push_back(best_.attempt(training, candidates_[tried_.size()], reports));
   if (tried_.size() == candidates_.size()) conclude(training);
+}
+
+// Of a generation that was cut short only the costs are kept: its candidates are bred again.
+
+void OffLine::save(const Training& training, saving::Writer& writer) const {
+  const GenePlan& plan = training.problem.plan();
+  fields(writer, plan, best_.best());
+  writer.whole("generation", generation_, 0, generation_);
+  if (generation_ == 0) {
+    fields(writer, plan, first_);
+  } else {
+    save_population(training, generation_, writer);
+  }
+  saving::counted_reals(writer, "costs of the generation", tried_, static_cast<std::uint32_t>(tried_.size()),
+                        -largest_cost, largest_cost);
+}
+
+void OffLine::restore(const Training& training, std::uint32_t cycles, saving::Reader& reader) {
+  const GenePlan& plan = training.problem.plan();
+  Member best;
+  fields(reader, plan, best);
+  best_.restore(std::move(best));
+  // A population of one is founded at once.
+  reader.whole("generation", generation_, population_ == 1 ? 1 : 0, cycles + 1);
+  if (generation_ == 0) {
+    fields(reader, plan, first_);
+  } else {
+    restore_population(training, generation_, reader);
+  }
+  saving::counted_reals(reader, "costs of the generation", tried_, cycles, -largest_cost, largest_cost);
+  if (tried_.empty()) return;
+  prepare(training);
+  if (tried_.size() >= candidates_.size()) {
+    throw saving::Invalid("a generation of " + std::to_string(candidates_.size()) + " under way has " +
+                          std::to_string(tried_.size()) + " costs");
+  }
 }
 
 void OffLine::conclude(const Training& training) {

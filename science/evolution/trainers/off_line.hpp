@@ -33,6 +33,14 @@ struct Member {
   double cost = 0;
 };
 
+/// Far beyond the cost of any fitness.
+inline constexpr double largest_cost = 1e8;
+
+void fields(auto& archive, const GenePlan& plan, saving::Of<Member> auto& member) {
+  fields(archive, plan, member.genes);
+  saving::real_within(archive, "cost", member.cost, -largest_cost, largest_cost);
+}
+
 /// The costs of members, in order.
 std::vector<double> costs(std::span<const Member> members);
 
@@ -47,6 +55,7 @@ class BestSoFar {
   double attempt(const Training& training, std::span<const double> genes, std::vector<CycleReport>& reports);
 
   const Member& best() const { return best_; }
+  void restore(Member best) { best_ = std::move(best); }
 
  private:
   Member best_;
@@ -61,6 +70,10 @@ class OffLine : public Trainer {
   void advance(const Training& training, std::uint32_t budget, std::vector<CycleReport>& reports) final;
   /// The best so far.
   std::span<const double> genes() const final { return best_.best().genes; }
+
+  bool can_be_saved() const final { return true; }
+  void save(const Training& training, saving::Writer& writer) const final;
+  void restore(const Training& training, std::uint32_t cycles, saving::Reader& reader) final;
 
  protected:
   /// `population` ≥ 1.
@@ -78,6 +91,13 @@ class OffLine : public Trainer {
   /// Decides who lives on, of those there were and of the candidates now tried.
   virtual void survive(const Training& training, std::uint32_t generation, std::vector<Member> children) = 0;
 
+  /// What lives on from generation to generation, before generation `generation` ≥ 1 is bred. Breeding it again must
+  /// give the same candidates.
+  virtual void save_population(const Training& training, std::uint32_t generation, saving::Writer& writer) const = 0;
+  virtual void restore_population(const Training& training, std::uint32_t generation, saving::Reader& reader) = 0;
+
+  /// The candidates of the present generation, if there are none yet.
+  void prepare(const Training& training);
   void conclude(const Training& training);
 
   std::uint32_t population_;

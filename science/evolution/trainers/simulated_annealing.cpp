@@ -44,4 +44,16 @@ void SimulatedAnnealing::survive(const Training& training, std::uint32_t generat
   if (generation % settings_.tries_per_temperature == 0) temperature_ *= settings_.temperature_factor;
 }
 
+void SimulatedAnnealing::save_population(const Training& training, std::uint32_t /*generation*/,
+                                         saving::Writer& writer) const {
+  fields(writer, training.problem.plan(), state_);
+  writer.real("temperature", temperature_);
+}
+
+void SimulatedAnnealing::restore_population(const Training& training, std::uint32_t /*generation*/,
+                                            saving::Reader& reader) {
+  fields(reader, training.problem.plan(), state_);
+  saving::real_within(reader, "temperature", temperature_, 0, settings_.first_temperature);
+}
+
 }  // namespace lamprey::science::evolution::trainers

@@ -34,6 +34,8 @@ class SimulatedAnnealing final : public OffLine {
   void found(std::vector<Member> first) override;
   std::vector<std::vector<double>> breed(const Training& training, std::uint32_t generation) override;
   void survive(const Training& training, std::uint32_t generation, std::vector<Member> tried) override;
+  void save_population(const Training& training, std::uint32_t generation, saving::Writer& writer) const override;
+  void restore_population(const Training& training, std::uint32_t generation, saving::Reader& reader) override;
 
   SimulatedAnnealingSettings settings_;
   Member state_;
