@@ -20,7 +20,10 @@ Digest identity(const Job& job) {
       std::string_view("lamprey-job/1\nscience=" + std::to_string(science_version) + "\n" + seeded_text(job)));
 }
 
-std::uint64_t stream_key(const Job& job) {
+std::uint64_t stream_key(const Job& given) {
+  // A robot is asked for what its simulation is asked for.
+  Job job = given;
+  if (job.parameters.choice("robot") == "bridge") job.parameters.set("robot", std::string("quadruped"));
   return leading_128_bits(sha256(std::string_view("lamprey-stream/1\n" + seeded_text(job)))).high;
 }
 

@@ -20,7 +20,7 @@ struct Job {
 Digest identity(const Job& job);
 
 /// The Philox key of the job's random streams: from the same fields without the science version, so that a new science
-/// version meets the same draws.
+/// version meets the same draws. A job on a robot has the key of the same job in simulation.
 std::uint64_t stream_key(const Job& job);
 
 }  // namespace lamprey::experiment

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -17,9 +19,6 @@ using namespace science;
 double share_of(const Parameters& parameters, std::string_view name) {
   return static_cast<double>(parameters.integer(name)) / 100;
 }
-
-/// Of one step: so few that a requested stop is met soon, however large a population or a schedule is.
-constexpr std::uint32_t most_cycles_per_step = 1024;
 
 evolution::Training training_of(const Job& job, const evolution::Problem& problem) {
   const fitness::Environment surroundings = environment(job.parameters);
@@ -35,7 +34,7 @@ evolution::Training training_of(const Job& job, const evolution::Problem& proble
 
 fitness::Environment environment(const Parameters& parameters) {
   // The biped's fitness has no weights (eq. 6.4).
-  if (parameters.choice("robot") != "quadruped") return {};
+  if (parameters.choice("robot") == "biped") return {};
   const auto ground = [&](std::string_view leg) {
     return static_cast<std::int16_t>(parameters.integer("ground_level_" + std::string(leg)));
   };
@@ -47,12 +46,14 @@ fitness::Environment environment(const Parameters& parameters) {
                                        ground("back_right")}}};
 }
 
-JobRun::JobRun(const Job& job)
-    : problem_(make_problem(job.parameters)),
+JobRun::JobRun(const Job& job, robots::Machine* machine, NotBegun /*tag*/)
+    : problem_(make_problem(job.parameters, machine)),
       training_(training_of(job, *problem_)),
       trainer_(make_trainer(job.parameters, *problem_, training_.stream)),
       recorder_(job.parameters.choice("record") == "details"),
-      cycles_(static_cast<std::uint32_t>(job.parameters.integer("cycles"))) {
+      cycles_(static_cast<std::uint32_t>(job.parameters.integer("cycles"))),
+      on_a_robot_(on_a_robot(job.parameters)) {
+  if (on_a_robot_ && machine == nullptr) throw std::invalid_argument("robot is 'bridge', and here is no robot");
   Parameters changing = job.parameters;
   if (changing.applies(parameter_index("environment"))) {
     for (const EnvironmentChange& change : parse_schedule(changing.choice("environment"))) {
@@ -60,9 +61,42 @@ JobRun::JobRun(const Job& job)
       changes_.push_back({.cycle = change.cycle, .environment = experiment::environment(changing)});
     }
   }
+}
+
+JobRun::JobRun(const Job& job, robots::Machine* machine) : JobRun(job, machine, NotBegun{}) {
   const fitness::Fitness first = trainer_->begin(training_);
   recorder_.begin(training_, first, trainer_->genes());
   finish_if_done();
+}
+
+JobRun::JobRun(const Job& job, RunState state) : JobRun(job, nullptr, NotBegun{}) {
+  if (state.cycle >= cycles_) {
+    throw saving::Invalid("cycle is " + std::to_string(state.cycle) + ", but the job has " + std::to_string(cycles_));
+  }
+  // A change is met with the first cycle after it.
+  while (changes_met_ < changes_.size() && changes_[changes_met_].cycle < state.cycle) ++changes_met_;
+  if (changes_met_ > 0) {
+    training_.environment = changes_[changes_met_ - 1].environment;
+    training_.expected = problem_->expected(training_.environment);
+  }
+  if (!trainer_->can_be_saved()) throw saving::Invalid("its trainer cannot be saved");
+  saving::Reader trainer(state.trainer);
+  trainer_->restore(training_, state.cycle, trainer);
+  trainer.end();
+  saving::Reader recorder(state.recorder);
+  recorder_.restore(training_, state.cycle, static_cast<std::uint32_t>(changes_met_), std::move(state.trace), recorder);
+  recorder.end();
+}
+
+RunState JobRun::save() const {
+  saving::Writer trainer;
+  trainer_->save(training_, trainer);
+  saving::Writer recorder;
+  recorder_.save(training_, recorder);
+  return {.cycle = recorder_.cycles(),
+          .trainer = std::move(trainer).take(),
+          .recorder = std::move(recorder).take(),
+          .trace = recorder_.outcome().trace};
 }
 
 JobRun::JobRun(const JobRun& other)
@@ -72,7 +106,8 @@ JobRun::JobRun(const JobRun& other)
       recorder_(other.recorder_),
       changes_(other.changes_),
       changes_met_(other.changes_met_),
-      cycles_(other.cycles_) {}
+      cycles_(other.cycles_),
+      on_a_robot_(other.on_a_robot_) {}
 
 std::uint32_t JobRun::end_of_environment() const {
   return changes_met_ < changes_.size() ? std::min(changes_[changes_met_].cycle, cycles_) : cycles_;
@@ -84,11 +119,11 @@ void JobRun::meet(const fitness::Environment& environment) {
   recorder_.change_environment(training_, trainer_->meet(training_));
 }
 
-void JobRun::advance() {
+void JobRun::advance(std::uint32_t most_cycles) {
   if (finished()) return;
   if (recorder_.cycles() == end_of_environment()) meet(changes_[changes_met_++].environment);
   reports_.clear();
-  const std::uint32_t budget = std::min(end_of_environment() - recorder_.cycles(), most_cycles_per_step);
+  const std::uint32_t budget = std::min(end_of_environment() - recorder_.cycles(), most_cycles);
   trainer_->advance(training_, budget, reports_);
   recorder_.record(training_, reports_, trainer_->genes());
   finish_if_done();

@@ -29,12 +29,14 @@ using problems::BipedNetwork;
 using problems::QuadrupedNetwork;
 
 template <QuadrupedNetwork network>
-std::unique_ptr<Problem> quadruped_with(const Parameters& parameters) {
-  return problems::make_quadruped_problem(quadruped_settings(parameters, network));
+std::unique_ptr<Problem> quadruped_with(const Parameters& parameters, robots::Machine* machine) {
+  auto settings = quadruped_settings(parameters, network);
+  settings.machine = machine;
+  return problems::make_quadruped_problem(settings);
 }
 
 template <BipedNetwork network>
-std::unique_ptr<Problem> biped_with(const Parameters& parameters) {
+std::unique_ptr<Problem> biped_with(const Parameters& parameters, robots::Machine* /*machine*/) {
   return problems::make_biped_problem(biped_settings(parameters, network));
 }
 
@@ -146,8 +148,8 @@ std::span<const TrainerModel> trainer_models() {
   return trainers;
 }
 
-std::unique_ptr<Problem> make_problem(const Parameters& parameters) {
-  return network_of(parameters).make(parameters);
+std::unique_ptr<Problem> make_problem(const Parameters& parameters, robots::Machine* machine) {
+  return network_of(parameters).make(parameters, on_a_robot(parameters) ? machine : nullptr);
 }
 
 std::unique_ptr<Trainer> make_trainer(const Parameters& parameters, const Problem& problem,
@@ -155,7 +157,12 @@ std::unique_ptr<Trainer> make_trainer(const Parameters& parameters, const Proble
   return trainer_of(parameters).make(parameters, problem, stream);
 }
 
+bool on_a_robot(const Parameters& parameters) {
+  return parameters.choice("robot") == "bridge";
+}
+
 Repeatability repeatability(const Parameters& parameters) {
+  if (on_a_robot(parameters)) return Repeatability::physical;
   return std::max(network_of(parameters).repeatability, trainer_of(parameters).repeatability);
 }
 

@@ -3,6 +3,7 @@
 #include "experiment/parameters.hpp"
 #include "science/evolution/problem.hpp"
 #include "science/evolution/trainer.hpp"
+#include "science/robots/machine.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -23,7 +24,7 @@ struct NetworkModel {
   std::string_view name;    ///< the value of `network`
   std::string_view source;  ///< equation, figure or section
   Repeatability repeatability = Repeatability::bitwise;
-  std::unique_ptr<science::evolution::Problem> (*make)(const Parameters& parameters);
+  std::unique_ptr<science::evolution::Problem> (*make)(const Parameters& parameters, science::robots::Machine* machine);
 };
 
 /// A way to tune.
@@ -41,13 +42,19 @@ std::span<const NetworkModel> network_models();
 std::span<const TrainerModel> trainer_models();
 
 /// What a job of these parameters tunes and how; the trainer refers to the problem. Throws std::invalid_argument,
-/// naming parameter and value, for a choice that this program has no model of.
-std::unique_ptr<science::evolution::Problem> make_problem(const Parameters& parameters);
+/// naming parameter and value, for a choice that this program has no model of. A job on a robot (`robot: bridge`) is
+/// evaluated on `machine`, which outlives the problem; any other in simulation. Without a machine a robot's problem is
+/// simulated, too: for what doesn't evaluate, such as its plan of genes.
+std::unique_ptr<science::evolution::Problem> make_problem(const Parameters& parameters,
+                                                          science::robots::Machine* machine = nullptr);
 std::unique_ptr<science::evolution::Trainer> make_trainer(const Parameters& parameters,
                                                           const science::evolution::Problem& problem,
                                                           const science::random::Stream& stream);
 
-/// The weaker of the network's and the trainer's.
+/// Whether jobs of these parameters are evaluated on a robot.
+bool on_a_robot(const Parameters& parameters);
+
+/// The weakest of the robot's, the network's and the trainer's.
 Repeatability repeatability(const Parameters& parameters);
 
 }  // namespace lamprey::experiment

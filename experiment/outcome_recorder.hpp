@@ -2,6 +2,7 @@
 
 #include "experiment/outcome.hpp"
 #include "science/evolution/trainer.hpp"
+#include "science/saving/archive.hpp"
 
 #include <cstdint>
 #include <span>
@@ -33,6 +34,14 @@ class OutcomeRecorder {
   /// Once, at the end: rates, and the trainer's own measures among the others.
   void finish(std::span<const science::evolution::Measure> measures);
 
+  /// Everything that decides what follows, unless the training or the trace gives it; not once it has finished.
+  void save(const science::evolution::Training& training, science::saving::Writer& writer) const;
+
+  /// Instead of begin(): goes on where a recorder of the same job was saved after `cycles` cycles with that trace.
+  /// `changes`: how often the environment has changed. Throws saving::Invalid for what cannot be its state.
+  void restore(const science::evolution::Training& training, std::uint32_t cycles, std::uint32_t changes,
+               std::vector<AcceptedChange> trace, science::saving::Reader& reader);
+
   std::uint32_t cycles() const { return outcome_.cycles; }
   const Outcome& outcome() const { return outcome_; }
   Outcome take() && { return std::move(outcome_); }
@@ -43,6 +52,10 @@ class OutcomeRecorder {
     std::uint32_t first_cycle = 0;
     bool pending = false;
   };
+
+  /// Of a recorder that is read or, const, written.
+  template <typename Archive, typename Recorder>
+  static void fields(Archive& archive, const science::evolution::Training& training, Recorder& recorder);
 
   void record_one(const science::evolution::Training& training, const science::evolution::CycleReport& report);
   void accept(const science::evolution::Training& training, const science::fitness::Fitness& fitness,

@@ -90,6 +90,10 @@ Parameter schedule(std::string_view name, std::string_view meaning, std::string_
 
 // Who has what. Conditions name choices of earlier rows.
 Condition of_quadruped() {
+  return {"robot", true, {"quadruped", "bridge"}};
+}
+/// A robot stands on the ground that is there.
+Condition simulated() {
   return {"robot", true, {"quadruped"}};
 }
 Condition of_pairs() {
@@ -133,7 +137,8 @@ void add_models(std::vector<Parameter>& rows) {
   rows.insert(
       rows.end(),
       {
-          choice("robot", "The robot that is controlled.", {"quadruped", "biped"}, "7.2, 7.3; 6.2.1"),
+          choice("robot", "The robot that is controlled: simulated, or the real quadruped behind a bridge.",
+                 {"quadruped", "biped", "bridge"}, "7.2, 7.3 (quadruped); 6.2.1 (biped); 9.4 (bridge)"),
           choice("network", "The neural network, or the plain loop, that generates the gait.", names(network_models()),
                  "7.4.4, eq. 7.11, fig. 7.23 (four_mother); 7.4.3, fig. 7.21 (one_mother); 7.4.2, figs 7.14 and 7.15 "
                  "(recurrent_eight); 2.6.1, fig. 2.7 (split_generator); 9.3, eq. 9.1 (tonic); 9.2 (timed_loop); 6.2.2, "
@@ -198,7 +203,7 @@ void add_operators(std::vector<Parameter>& rows) {
 
 void add_surroundings(std::vector<Parameter>& rows) {
   const auto ground = [](std::string_view name, std::string_view meaning) {
-    return integer(name, meaning, {0, 30, 10, "positions"}, "eq. 7.1, 9.4", {of_quadruped(), not_frames()});
+    return integer(name, meaning, {0, 30, 10, "positions"}, "eq. 7.1, 9.4", {simulated(), not_frames()});
   };
   rows.insert(
       rows.end(),
@@ -210,7 +215,7 @@ void add_surroundings(std::vector<Parameter>& rows) {
           percent("required_fuel", "The weight of the fuel that remains in the fitness.", 100,
                   "8.2.3, eq. 7.4, fig. 8.1", {of_quadruped()}),
           real("push_factor", "How hard a push on the ground drives the body; 1 on flat ground.", {0, 1, 1},
-               "1.2, 9.4, eq. 7.7", {of_quadruped(), not_frames()}),
+               "1.2, 9.4, eq. 7.7", {simulated(), not_frames()}),
           ground("ground_level_front_left", "Vertical position at which the front left foot meets the ground."),
           ground("ground_level_front_right", "Vertical position at which the front right foot meets the ground."),
           ground("ground_level_back_left", "Vertical position at which the back left foot meets the ground."),
@@ -234,13 +239,10 @@ void add_run(std::vector<Parameter>& rows) {
                  "Whether each evaluation starts from standing or from where the robot stands after the one before.",
                  {"reset", "carry"}, "8.3.2 (reset), appendix C (carry)",
                  {{"trainer", true, {"rtea", "ii_rtea"}}, not_tonic()}),
-          schedule("environment", "At which cycles the weights of the fitness and the ground change, and to what.",
-                   "1.2, 8.2.3",
-                   {of_quadruped(),
-                    not_frames(),
-                    not_tonic(),
-                    {"trainer", true, {"rtea"}},
-                    {"objective", true, {"maximise"}}}),
+          schedule(
+              "environment", "At which cycles the weights of the fitness and the ground change, and to what.",
+              "1.2, 8.2.3",
+              {simulated(), not_frames(), not_tonic(), {"trainer", true, {"rtea"}}, {"objective", true, {"maximise"}}}),
           choice("record",
                  "What is kept besides scores: accepted changes, or also how far the genes moved and De Jong's on-line "
                  "and off-line performance.",

@@ -63,6 +63,9 @@ class SweepGrid {
   /// number < jobs().
   Job job(std::uint64_t number) const;
 
+  /// Whether any of its jobs may have to be on a robot (`robot: bridge`).
+  bool asks_for_robot() const;
+
  private:
   Parameters base_;
   std::vector<Grid> grids_;

@@ -1,4 +1,5 @@
 #include "experiment/environment_reader.hpp"
+#include "experiment/execution_reader.hpp"
 #include "experiment/field_reader.hpp"
 #include "experiment/grid_reader.hpp"
 #include "experiment/sweep.hpp"
@@ -77,6 +78,8 @@ class SpecificationReader {
       environment_ = read_environment(entry.value, fields_);
     } else if (entry.key == "grids") {
       read_grids(entry.value, fields_, specification_, grid_paths_);
+    } else if (std::ranges::find(execution_fields(), entry.key) != execution_fields().end()) {
+      read_execution_field(entry, fields_, *specification_.mutable_execution());
     } else {
       refuse_unknown(entry);
     }
@@ -88,9 +91,11 @@ class SpecificationReader {
     if (find_parameter(entry.key) != nullptr) {
       return fields_.refuse(path, "is a parameter; it belongs under base, or as an axis under grids");
     }
-    const std::string hint = nearest_hint(entry.key, {std::begin(known_fields), std::end(known_fields)});
+    std::vector<std::string_view> names(std::begin(known_fields), std::end(known_fields));
+    names.insert(names.end(), execution_fields().begin(), execution_fields().end());
+    const std::string hint = nearest_hint(entry.key, names);
     std::string known = "; known are";
-    for (const auto field : known_fields) known.append(field == known_fields[0] ? " " : ", ").append(field);
+    for (const auto field : names) known.append(field == names.front() ? " " : ", ").append(field);
     fields_.refuse(path, "unknown field '" + path + "'" + (hint.empty() ? known : hint));
   }
 
@@ -158,6 +163,7 @@ SourcePosition position_of(const SourceMap& positions, std::string field) {
 void throw_if_any(std::vector<Problem> problems) {
   if (problems.empty()) return;
   std::ranges::stable_sort(problems, {}, [](const Problem& p) { return std::pair(p.line, p.column); });
+  if (problems.size() > maximum_problems) problems.resize(maximum_problems);
   throw InvalidInput(std::move(problems));
 }
 

@@ -1,6 +1,7 @@
 #include "experiment/sweep.hpp"
 #include "experiment/typed_value.hpp"
 
+#include <algorithm>
 #include <map>
 #include <stdexcept>
 
@@ -59,6 +60,17 @@ SweepGrid::SweepGrid(const idl::SweepSpecification& specification)
   // Without grids the base is the only cell.
   if (grids_.empty()) grids_.emplace_back();
   for (const auto& grid : grids_) cells_ += grid.cells;
+}
+
+bool SweepGrid::asks_for_robot() const {
+  const std::size_t robot = parameter_index("robot");
+  const auto is_bridge = [](const Value& value) { return value == Value(std::string("bridge")); };
+  const bool on_an_axis = std::ranges::any_of(grids_, [&](const Grid& grid) {
+    return std::ranges::any_of(grid.axes, [&](const Axis& axis) {
+      return axis.parameter == robot && std::ranges::any_of(axis.values, is_bridge);
+    });
+  });
+  return on_an_axis || is_bridge(base_[robot]);
 }
 
 Job SweepGrid::job(std::uint64_t number) const {

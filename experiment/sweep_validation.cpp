@@ -1,5 +1,6 @@
 #include "experiment/sweep_validation.hpp"
 
+#include "experiment/execution_validation.hpp"
 #include "experiment/sweep_cells.hpp"
 #include "experiment/typed_value.hpp"
 
@@ -13,20 +14,7 @@ namespace lamprey::experiment {
 namespace {
 
 void check_heading(const idl::SweepSpecification& specification, Findings& findings) {
-  const auto& name = specification.name();
-  const bool readable = std::ranges::all_of(name, [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' ||
-           c == '.';
-  });
-  const std::string takes =
-      "a name has 1 to " + std::to_string(maximum_name_length) + " letters, digits, '-', '_' and '.'";
-  if (name.empty()) {
-    findings.add("name", "no name is given: " + takes);
-  } else if (!readable || name.size() > maximum_name_length) {
-    findings.add("name", "'" + printable(name) + "' is not allowed: " + takes);
-  } else if (id128_from_hex(name)) {
-    findings.add("name", "'" + name + "' reads like a sweep's id; choose a name that is not 32 hex digits");
-  }
+  if (auto fault = sweep_name_fault(specification.name())) findings.add("name", std::move(*fault));
   if (specification.description().size() > maximum_description_bytes) {
     findings.add("description", "has " + std::to_string(specification.description().size()) + " bytes; at most " +
                                     std::to_string(maximum_description_bytes) + " are allowed");
@@ -172,6 +160,19 @@ GridValues check_grid(const idl::Grid& grid, const std::string& grid_path, const
 
 }  // namespace
 
+std::optional<std::string> sweep_name_fault(const std::string& name) {
+  const bool readable = std::ranges::all_of(name, [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' ||
+           c == '.';
+  });
+  const std::string takes =
+      "a name has 1 to " + std::to_string(maximum_name_length) + " letters, digits, '-', '_' and '.'";
+  if (name.empty()) return "no name is given: " + takes;
+  if (!readable || name.size() > maximum_name_length) return "'" + printable(name) + "' is not allowed: " + takes;
+  if (id128_from_hex(name)) return "'" + name + "' reads like a sweep's id; choose a name that is not 32 hex digits";
+  return std::nullopt;
+}
+
 std::string base_path(std::string_view parameter) {
   return "base." + printable(parameter);
 }
@@ -198,6 +199,7 @@ std::string unknown_parameter(std::string_view name) {
 std::vector<Problem> validate(const idl::SweepSpecification& specification, ReadBefore before) {
   Findings findings(std::move(before.problems));
   check_heading(specification, findings);
+  check_execution(specification.execution(), findings);
   const auto base = check_base(specification, findings);
   if (specification.grids_size() > maximum_grids) {
     findings.add("grids", "has " + std::to_string(specification.grids_size()) + " grids; at most " +

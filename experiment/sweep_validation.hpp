@@ -2,6 +2,7 @@
 
 #include "experiment/sweep.hpp"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,9 @@ inline constexpr std::uint32_t maximum_replicates = 1'000'000;
 inline constexpr int maximum_grids = 1000;
 /// All axes of a sweep together hold at most this many values, so that their memory is bounded before it is taken.
 inline constexpr std::uint64_t maximum_axis_values = 100'000;
+
+/// Why a sweep cannot be called that; nothing if it can. For sweep files and for renaming alike.
+std::optional<std::string> sweep_name_fault(const std::string& name);
 
 /// Paths of fields, as in Problem::field. Names from outside are made printable.
 std::string base_path(std::string_view parameter);
