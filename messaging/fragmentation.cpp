@@ -26,15 +26,18 @@ bool possible(const JobResult& fragment) {
   return fragment.fragments >= 1 && fragment.fragments <= most_fragments && fragment.fragment < fragment.fragments;
 }
 
-/// Whether both can be parts of one result.
+/// Whether both can be parts of one result. Jobs that failed have no digest; what tells their attempts apart is the
+/// lease.
 bool agree(const JobResult& a, const JobResult& b) {
-  return a.fragments == b.fragments && a.digest == b.digest && a.identity == b.identity && a.kind == b.kind;
+  return a.fragments == b.fragments && a.digest == b.digest && a.identity == b.identity && a.kind == b.kind &&
+         a.lease == b.lease;
 }
 
 }  // namespace
 
 std::size_t wire_bytes(const JobResult& result) {
-  std::size_t bytes = result_head_bytes + result.reason.size() + change_bytes * result.outcome.trace.size();
+  std::size_t bytes =
+      result_head_bytes + result.reason.size() + result.recording.size() + change_bytes * result.outcome.trace.size();
   for (const auto& measure : result.outcome.measures) bytes += wire_bytes(measure);
   return bytes;
 }
@@ -43,21 +46,33 @@ std::vector<JobResult> fragments(const JobResult& whole) {
   JobResult head = whole;
   head.outcome.trace.clear();
   head.outcome.measures.clear();
+  head.recording.clear();
   head.reason.resize(std::min(head.reason.size(), maximum_reason_bytes));
   const std::size_t capacity = maximum_sample_bytes - reserved_bytes - wire_bytes(head);
 
   std::vector<JobResult> parts{head};
   std::size_t used = 0;
-  const auto part_for = [&](std::size_t bytes) -> experiment::Outcome& {
+  const auto part_for = [&](std::size_t bytes) -> JobResult& {
     if (used + bytes > capacity) {
       parts.push_back(head);
       used = 0;
     }
     used += bytes;
-    return parts.back().outcome;
+    return parts.back();
   };
-  for (const auto& change : whole.outcome.trace) part_for(change_bytes).trace.push_back(change);
-  for (const auto& measure : whole.outcome.measures) part_for(wire_bytes(measure)).measures.push_back(measure);
+  for (const auto& change : whole.outcome.trace) part_for(change_bytes).outcome.trace.push_back(change);
+  for (const auto& measure : whole.outcome.measures) part_for(wire_bytes(measure)).outcome.measures.push_back(measure);
+  for (std::size_t begin = 0; begin < whole.recording.size();) {
+    if (used == capacity) {
+      parts.push_back(head);
+      used = 0;
+    }
+    const std::size_t end = std::min(whole.recording.size(), begin + capacity - used);
+    part_for(end - begin)
+        .recording.assign(whole.recording.begin() + static_cast<std::ptrdiff_t>(begin),
+                          whole.recording.begin() + static_cast<std::ptrdiff_t>(end));
+    begin = end;
+  }
 
   for (std::size_t part = 0; part < parts.size(); ++part) {
     parts[part].fragment = static_cast<std::uint32_t>(part);
@@ -103,6 +118,7 @@ JobResult Assembler::take(Partials::iterator position) {
   for (auto part = std::next(parts.begin()); part != parts.end(); ++part) {
     append(whole.outcome.trace, part->second.outcome.trace);
     append(whole.outcome.measures, part->second.outcome.measures);
+    append(whole.recording, part->second.recording);
   }
   drop(position);
   return whole;

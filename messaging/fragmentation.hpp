@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-/// Long outcomes in small samples: cut by the worker, put together by the coordinator.
+/// Long outcomes and recordings in small samples: cut by the worker, put together by the coordinator.
 namespace lamprey::messaging {
 
 /// A result sample stays below about this many bytes.

@@ -1,3 +1,4 @@
+#include "messaging/discovery/watch.hpp"
 #include "messaging/names.hpp"
 #include "messaging/port.hpp"
 #include "messaging/vendor_library.hpp"
@@ -80,6 +81,24 @@ std::string unusable(const std::string& peer) {
   return {};
 }
 
+/// What the function of that name in the vendor's library makes.
+template <class Member>
+std::unique_ptr<Member> join_by(const char* function_name, const JoinOptions& options) {
+  for (const auto& peer : options.peers) {
+    if (const auto reason = unusable(peer); !reason.empty()) fail(options, "peer '" + peer + "' " + reason);
+  }
+  const auto path = find_library(options);
+  void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+  if (library == nullptr) fail(options, dlerror());
+  // POSIX says that dlsym's object pointer may be converted so.
+  const auto function = reinterpret_cast<JoinFunction<Member>>(dlsym(library, function_name));
+  if (function == nullptr) fail(options, path.string() + " does not export " + function_name);
+  std::string error;
+  std::unique_ptr<Member> member(function(options, error));
+  if (member == nullptr) fail(options, error);
+  return member;
+}
+
 }  // namespace
 
 std::vector<std::string> available_vendors() {
@@ -90,19 +109,15 @@ std::unique_ptr<Participant> join(const JoinOptions& options) {
   if (!is_valid_isolation(options.isolation)) {
     fail(options, "isolation '" + options.isolation + "' is not 1 to 64 letters, digits, '_', '.' or '-'");
   }
-  for (const auto& peer : options.peers) {
-    if (const auto reason = unusable(peer); !reason.empty()) fail(options, "peer '" + peer + "' " + reason);
-  }
-  const auto path = find_library(options);
-  void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
-  if (library == nullptr) fail(options, dlerror());
-  // POSIX says that dlsym's object pointer may be converted so.
-  const auto function = reinterpret_cast<JoinFunction>(dlsym(library, join_function_name));
-  if (function == nullptr) fail(options, path.string() + " does not export " + join_function_name);
-  std::string error;
-  std::unique_ptr<Participant> participant(function(options, error));
-  if (participant == nullptr) fail(options, error);
-  return participant;
+  return join_by<Participant>(join_function_name, options);
+}
+
+std::unique_ptr<discovery::Watch> discovery::watch(const JoinOptions& options) {
+  return join_by<Watch>(watch_function_name, options);
+}
+
+std::unique_ptr<ros2::Node> ros2::join(const JoinOptions& options) {
+  return join_by<Node>(join_ros2_function_name, options);
 }
 
 }  // namespace lamprey::messaging

@@ -15,6 +15,9 @@ inline Id128 key_of(const SweepSpecification& sample) {
 inline Id128 key_of(const SweepProgress& sample) {
   return sample.sweep;
 }
+inline Id128 key_of(const RobotStatus& sample) {
+  return {0, sample.robot};
+}
 
 template <class Sample>
 concept Keyed = requires(const Sample& sample) {

@@ -13,14 +13,14 @@ class Check {
   void elements(std::string_view field, std::size_t count) { size(field, count, maximum_elements); }
   void payload(std::string_view field, std::size_t bytes) { size(field, bytes, maximum_payload_bytes); }
 
-  std::optional<std::string> violation() && { return std::move(violation_); }
-
- private:
   void size(std::string_view field, std::size_t size, std::size_t most) {
     if (size <= most || violation_) return;
     violation_ = std::string(field) + ": size " + std::to_string(size) + ", at most " + std::to_string(most);
   }
 
+  std::optional<std::string> violation() && { return std::move(violation_); }
+
+ private:
   std::optional<std::string> violation_;
 };
 
@@ -33,7 +33,14 @@ std::optional<std::string> limit_violation(const WorkerStatus& sample) {
   check.elements("running", sample.running.size());
   check.text("host", sample.host);
   check.text("build", sample.build);
+  check.text("flags", sample.flags);
+  check.text("processor", sample.processor);
+  check.text("instruction_set", sample.instruction_set);
   check.text("dds", sample.dds);
+  check.size("labels", sample.labels.size(), maximum_labels);
+  for (const auto& label : sample.labels) check.text("labels", label);
+  check.size("counters", sample.counters.size(), maximum_counters);
+  for (const auto& counter : sample.counters) check.text("counters.name", counter.name);
   return std::move(check).violation();
 }
 
@@ -47,6 +54,7 @@ std::optional<std::string> limit_violation(const SweepSpecification& sample) {
 std::optional<std::string> limit_violation(const Lease& sample) {
   Check check;
   check.elements("ranges", sample.ranges.size());
+  check.payload("checkpoint", sample.checkpoint.size());
   check.text("reason", sample.reason);
   return std::move(check).violation();
 }
@@ -59,6 +67,7 @@ std::optional<std::string> limit_violation(const ResultBatch& sample) {
     check.elements("results.outcome.measures", result.outcome.measures.size());
     for (const auto& measure : result.outcome.measures) check.text("results.outcome.measures.name", measure.name);
     check.text("results.reason", result.reason);
+    check.payload("results.recording", result.recording.size());
   }
   return std::move(check).violation();
 }
@@ -67,6 +76,12 @@ std::optional<std::string> limit_violation(const ResultAcknowledgement& sample) 
   Check check;
   check.elements("results", sample.results.size());
   for (const auto& result : sample.results) check.text("results.reason", result.reason);
+  return std::move(check).violation();
+}
+
+std::optional<std::string> limit_violation(const Checkpoint& sample) {
+  Check check;
+  check.payload("state", sample.state.size());
   return std::move(check).violation();
 }
 
@@ -86,6 +101,43 @@ std::optional<std::string> limit_violation(const SweepProgress& sample) {
   Check check;
   check.text("name", sample.name);
   check.text("state", sample.state);
+  return std::move(check).violation();
+}
+
+std::optional<std::string> limit_violation(const RobotStatus& sample) {
+  Check check;
+  check.text("name", sample.name);
+  check.text("reason", sample.reason);
+  check.text("driver", sample.driver);
+  check.text("device", sample.device);
+  check.text("scheduling", sample.scheduling);
+  check.text("host", sample.host);
+  check.text("build", sample.build);
+  check.text("dds", sample.dds);
+  check.size("counters", sample.counters.size(), maximum_counters);
+  for (const auto& counter : sample.counters) check.text("counters.name", counter.name);
+  return std::move(check).violation();
+}
+
+std::optional<std::string> limit_violation(const RobotRequest& sample) {
+  Check check;
+  check.text("reason", sample.reason);
+  return std::move(check).violation();
+}
+
+std::optional<std::string> limit_violation(const RobotReply& sample) {
+  Check check;
+  check.text("reason", sample.reason);
+  return std::move(check).violation();
+}
+
+std::optional<std::string> limit_violation(const ServoCommand& /*sample*/) {
+  return std::nullopt;
+}
+
+std::optional<std::string> limit_violation(const ServoState& sample) {
+  Check check;
+  check.text("reason", sample.reason);
   return std::move(check).violation();
 }
 

@@ -1,5 +1,7 @@
 #include "messaging/port.hpp"
 
+#include "messaging/qos.hpp"
+
 namespace lamprey::messaging {
 
 void Signal::notify() {
@@ -15,6 +17,13 @@ bool Signal::wait_for(std::chrono::milliseconds timeout) {
   const bool notified = condition_.wait_for(lock, timeout, [this] { return notified_; });
   notified_ = false;
   return notified;
+}
+
+std::string user_data_of(const JoinOptions& options) {
+  auto introduction = options.introduction;
+  introduction.isolation = options.isolation;
+  introduction.wire = wire_version;
+  return discovery::user_data_of(introduction);
 }
 
 }  // namespace lamprey::messaging

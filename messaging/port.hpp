@@ -1,5 +1,6 @@
 #pragma once
 
+#include "messaging/discovery/introduction.hpp"
 #include "messaging/samples.hpp"
 
 #include <chrono>
@@ -93,7 +94,8 @@ class TopicPorts : public TopicPort<Samples>... {
 /// A program's membership of the DDS domain. Writers and readers must be destroyed before it.
 /// make_writer and make_reader throw std::runtime_error with the vendor's reason; callable from any thread.
 class Participant : public TopicPorts<WorkerStatus, SweepSpecification, Lease, ResultBatch, ResultAcknowledgement,
-                                      Request, Reply, SweepProgress> {
+                                      Checkpoint, Request, Reply, SweepProgress, RobotStatus, RobotRequest, RobotReply,
+                                      ServoCommand, ServoState> {
  public:
   template <class Sample>
   std::unique_ptr<Writer<Sample>> writer(Partition partition = Partition::common()) {
@@ -107,6 +109,9 @@ class Participant : public TopicPorts<WorkerStatus, SweepSpecification, Lease, R
 
   /// "fastdds", "cyclonedds" or "in_memory".
   virtual std::string vendor() const = 0;
+
+  /// Samples that its readers have dropped since it joined, because no program of ours writes such. Any thread.
+  virtual std::uint64_t malformed_samples() const = 0;
 };
 
 /// How a program joins; the command-line options of messaging/program/ fill it.
@@ -116,7 +121,12 @@ struct JoinOptions {
   std::string isolation = "lamprey";  ///< programs of different isolation never meet, on one host or network
   std::vector<std::string> peers;     ///< hosts to look for without multicast; empty: multicast
   bool loopback_only = false;         ///< this machine only: no multicast, no other interface
+  /// What everybody in the domain may know of the program; the isolation and the wire's version are added.
+  discovery::Introduction introduction;
 };
+
+/// The introduction as the participant announces it.
+std::string user_data_of(const JoinOptions& options);
 
 /// Joining failed: no such vendor, a bad option, or the vendor's own reason.
 class JoinError : public std::runtime_error {

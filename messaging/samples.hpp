@@ -2,9 +2,11 @@
 
 #include "experiment/identifiers.hpp"
 #include "experiment/outcome.hpp"
+#include "messaging/robot_samples.hpp"
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// What travels between the programs: neutral value types, one per topic. idl/lamprey.idl has the same fields for the
@@ -45,8 +47,20 @@ struct HeldLease {
 struct RunningJob {
   Id128 sweep;
   std::uint64_t job = 0;
+  std::uint32_t cycle = 0;  ///< the number of cycles done
+  double seconds = 0;       ///< of computation so far, over all attempts that a checkpoint joins
   bool operator==(const RunningJob&) const = default;
 };
+
+/// What a program has counted since it started: refused, dropped, repeated.
+struct Counter {
+  std::string name;  ///< [a-z_]+
+  std::uint64_t value = 0;
+  bool operator==(const Counter&) const = default;
+};
+
+/// The label of a worker that holds a claim just now. A robot's worker always has "bridge=" and the robot's name, too.
+inline constexpr std::string_view robot_label = "bridge";
 
 /// Worker → coordinator and observers: heartbeat and everything the coordinator decides by. Key: origin.worker.
 struct WorkerStatus {
@@ -62,8 +76,13 @@ struct WorkerStatus {
   std::vector<RunningJob> running;
   std::string host;
   std::uint32_t process = 0;
-  std::string build;  ///< version and commit
-  std::string dds;    ///< vendor
+  std::string build;            ///< version and commit
+  std::string flags;            ///< compiler and flags of the build
+  std::string processor;        ///< the host's, as it names itself
+  std::string instruction_set;  ///< that jobs are computed with
+  std::string dds;              ///< vendor
+  std::vector<std::string> labels;
+  std::vector<Counter> counters;
   bool operator==(const WorkerStatus&) const = default;
 };
 
@@ -80,8 +99,9 @@ struct SweepSpecification {
 enum class LeaseKind : std::uint8_t {
   welcome = 0,  ///< the coordinator knows the worker; nothing to do yet
   grant = 1,
-  revoke = 2,  ///< drop what has not started; results that exist are still to be sent
+  revoke = 2,  ///< drop what has not started, `interrupt`: also what runs; results that exist are still to be sent
   refuse = 3,  ///< the worker gets no leases, for `reason`
+  drain = 4,   ///< finish what is held, then leave
 };
 
 /// Coordinator → one worker (partition of its own).
@@ -93,7 +113,10 @@ struct Lease {
   Id128 sweep;
   std::vector<JobRange> ranges;
   std::uint32_t duration_milliseconds =
-      0;  ///< on the coordinator's steady clock, renewed by each heartbeat that lists it
+      0;                  ///< on the coordinator's steady clock, renewed by each heartbeat that lists it
+  double time_limit = 0;  ///< seconds of computation that each job may take; 0: any
+  bool interrupt = false;
+  std::vector<std::uint8_t> checkpoint;  ///< of a grant of one job: where it goes on (experiment/checkpoint.hpp)
   std::string reason;
   bool operator==(const Lease&) const = default;
 };
@@ -109,10 +132,12 @@ struct JobResult {
   std::uint32_t fragment = 0;  ///< 0-based
   std::uint32_t fragments = 1;
   Digest identity{};
-  Digest digest{};              ///< of the whole outcome; zero for a failed job
-  experiment::Outcome outcome;  ///< trace, measures: this fragment's slice
-  double seconds = 0;           ///< of computation
-  std::string reason;           ///< of a failure
+  Digest digest{};                      ///< of the whole outcome; zero for a failed job
+  experiment::Outcome outcome;          ///< trace, measures: this fragment's slice
+  double seconds = 0;                   ///< of computation
+  double waited = 0;                    ///< seconds that it waited at the worker before
+  std::string reason;                   ///< of a failure
+  std::vector<std::uint8_t> recording;  ///< idl::RobotRecording of a job on a robot: this fragment's slice
   bool operator==(const JobResult&) const = default;
 };
 
@@ -144,6 +169,20 @@ struct ResultAcknowledgement {
   bool operator==(const ResultAcknowledgement&) const = default;
 };
 
+/// Worker → coordinator, while a long job runs and when one is interrupted: only the newest of a job matters, and none
+/// is answered.
+struct Checkpoint {
+  Origin origin;
+  Id128 sweep;
+  std::uint64_t job = 0;
+  std::uint64_t lease = 0;
+  std::uint32_t cycle = 0;  ///< the number of cycles done
+  double seconds = 0;       ///< of computation so far
+  Digest identity{};
+  std::vector<std::uint8_t> state;  ///< experiment/checkpoint.hpp
+  bool operator==(const Checkpoint&) const = default;
+};
+
 /// Client → coordinator.
 struct Request {
   Origin origin;
@@ -167,7 +206,7 @@ struct SweepProgress {
   Origin origin;
   Id128 sweep;
   std::string name;
-  std::string state;  ///< running, cancelling, cancelled, finished
+  std::string state;  ///< running, paused, cancelling, cancelled, finished, deleting
   std::uint64_t jobs = 0;
   std::uint64_t pending = 0;
   std::uint64_t leased = 0;

@@ -26,10 +26,13 @@ inline constexpr std::uint32_t highest_domain = 230;
 
 inline constexpr std::uint32_t socket_receive_buffer_bytes = 4 * 1024 * 1024;
 
+/// Of a message on a network, so that it is one frame: of a datagram that IP has cut into frames one lost frame loses
+/// all, and where frames are lost it never arrives.
+inline constexpr std::uint32_t maximum_message_bytes = 1400;
+/// Of a sample's fragment within it.
+inline constexpr std::uint32_t maximum_fragment_bytes = 1200;
+
 /// Keys that a reader or writer of a keyed topic may know.
 inline constexpr std::int32_t maximum_keys = 100'000;
-
-/// Untaken samples that a reader of an unkeyed topic holds at most.
-inline constexpr std::int32_t maximum_untaken = 4096;
 
 }  // namespace lamprey::messaging

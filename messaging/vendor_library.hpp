@@ -1,6 +1,8 @@
 #pragma once
 
+#include "messaging/discovery/watch.hpp"
 #include "messaging/port.hpp"
+#include "messaging/ros2/node.hpp"
 
 #include <string>
 #include <vector>
@@ -12,12 +14,24 @@ extern "C" {
 /// loaded for the rest of the process: the vendors' own threads and thread-local data do not survive unloading.
 [[gnu::visibility("default")]] lamprey::messaging::Participant* lamprey_messaging_join(
     const lamprey::messaging::JoinOptions& options, std::string& error) noexcept;
+
+/// The same for a node of ROS 2; ros2::join() looks it up.
+[[gnu::visibility("default")]] lamprey::messaging::ros2::Node* lamprey_messaging_join_ros2(
+    const lamprey::messaging::JoinOptions& options, std::string& error) noexcept;
+
+/// The same for a watch of the domain; discovery::watch() looks it up.
+[[gnu::visibility("default")]] lamprey::messaging::discovery::Watch* lamprey_messaging_watch(
+    const lamprey::messaging::JoinOptions& options, std::string& error) noexcept;
 }
 
 namespace lamprey::messaging {
 
-using JoinFunction = Participant* (*)(const JoinOptions&, std::string&) noexcept;
+/// Makes a Participant, a ros2::Node or a discovery::Watch.
+template <class Member>
+using JoinFunction = Member* (*)(const JoinOptions&, std::string&) noexcept;
 inline constexpr const char* join_function_name = "lamprey_messaging_join";
+inline constexpr const char* join_ros2_function_name = "lamprey_messaging_join_ros2";
+inline constexpr const char* watch_function_name = "lamprey_messaging_watch";
 inline constexpr const char* vendor_library_prefix = "liblamprey_messaging_";
 
 /// The vendors whose libraries are next to the program or in ../lib, sorted.

@@ -12,13 +12,23 @@ inline constexpr WorkerState last_of(WorkerState) {
   return WorkerState::leaving;
 }
 inline constexpr LeaseKind last_of(LeaseKind) {
-  return LeaseKind::refuse;
+  return LeaseKind::drain;
 }
 inline constexpr ResultKind last_of(ResultKind) {
   return ResultKind::failed;
 }
 inline constexpr Verdict last_of(Verdict) {
   return Verdict::refused;
+}
+
+inline constexpr RobotState last_of(RobotState) {
+  return RobotState::finalized;
+}
+inline constexpr RobotRequestKind last_of(RobotRequestKind) {
+  return RobotRequestKind::place;
+}
+inline constexpr StepOutcome last_of(StepOutcome) {
+  return StepOutcome::voided;
 }
 
 /// Sets `value` to the enumerator of that number; false if there is none.

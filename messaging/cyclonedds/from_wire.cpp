@@ -43,7 +43,12 @@ bool convert(const lamprey_wire_JobRange& wire, JobRange& range) {
 }
 
 bool convert(const lamprey_wire_RunningJob& wire, RunningJob& running) {
-  running = {.sweep = {wire.sweep_high, wire.sweep_low}, .job = wire.job};
+  running = {.sweep = {wire.sweep_high, wire.sweep_low}, .job = wire.job, .cycle = wire.cycle, .seconds = wire.seconds};
+  return true;
+}
+
+bool convert(const lamprey_wire_Counter& wire, Counter& counter) {
+  counter = {.name = text(wire.name), .value = wire.value};
   return true;
 }
 
@@ -104,7 +109,9 @@ bool convert(const lamprey_wire_JobResult& wire, JobResult& result) {
   std::copy(std::begin(wire.identity), std::end(wire.identity), result.identity.begin());
   std::copy(std::begin(wire.digest), std::end(wire.digest), result.digest.begin());
   result.seconds = wire.seconds;
+  result.waited = wire.waited;
   result.reason = text(wire.reason);
+  result.recording = octets(wire.recording);
   return set_enumerator(result.kind, wire.kind) && convert(wire.outcome, result.outcome);
 }
 
@@ -128,10 +135,16 @@ bool from_wire(const lamprey_wire_WorkerStatus& wire, WorkerStatus& sample) {
   sample.host = text(wire.host);
   sample.process = wire.process;
   sample.build = text(wire.build);
+  sample.flags = text(wire.flags);
+  sample.processor = text(wire.processor);
+  sample.instruction_set = text(wire.instruction_set);
   sample.dds = text(wire.dds);
+  for (std::uint32_t i = 0; i < wire.labels._length; ++i) sample.labels.push_back(text(wire.labels._buffer[i]));
   return convert(wire.origin, wire.worker, sample.origin) && set_enumerator(sample.state, wire.state) &&
          convert_all(wire.leases, sample.leases, [](const auto& from, HeldLease& to) { return convert(from, to); }) &&
-         convert_all(wire.running, sample.running, [](const auto& from, RunningJob& to) { return convert(from, to); });
+         convert_all(wire.running, sample.running,
+                     [](const auto& from, RunningJob& to) { return convert(from, to); }) &&
+         convert_all(wire.counters, sample.counters, [](const auto& from, Counter& to) { return convert(from, to); });
 }
 
 bool from_wire(const lamprey_wire_SweepSpecification& wire, SweepSpecification& sample) {
@@ -147,6 +160,9 @@ bool from_wire(const lamprey_wire_Lease& wire, Lease& sample) {
   sample.lease = wire.lease;
   sample.sweep = {wire.sweep_high, wire.sweep_low};
   sample.duration_milliseconds = wire.duration_milliseconds;
+  sample.time_limit = wire.time_limit;
+  sample.interrupt = wire.interrupt;
+  sample.checkpoint = octets(wire.checkpoint);
   sample.reason = text(wire.reason);
   return convert(wire.origin, wire.worker, sample.origin) && set_enumerator(sample.kind, wire.kind) &&
          convert_all(wire.ranges, sample.ranges, [](const auto& from, JobRange& to) { return convert(from, to); });
@@ -163,6 +179,17 @@ bool from_wire(const lamprey_wire_ResultAcknowledgement& wire, ResultAcknowledge
   return convert(wire.origin, wire.worker, sample.origin) &&
          convert_all(wire.results, sample.results,
                      [](const auto& from, Acknowledgement& to) { return convert(from, to); });
+}
+
+bool from_wire(const lamprey_wire_Checkpoint& wire, Checkpoint& sample) {
+  sample.sweep = {wire.sweep_high, wire.sweep_low};
+  sample.job = wire.job;
+  sample.lease = wire.lease;
+  sample.cycle = wire.cycle;
+  sample.seconds = wire.seconds;
+  std::copy(std::begin(wire.identity), std::end(wire.identity), sample.identity.begin());
+  sample.state = octets(wire.state);
+  return convert(wire.origin, wire.worker, sample.origin);
 }
 
 bool from_wire(const lamprey_wire_Request& wire, Request& sample) {

@@ -1,4 +1,6 @@
+#include "messaging/cyclonedds/discovery_watch.hpp"
 #include "messaging/cyclonedds/participant.hpp"
+#include "messaging/cyclonedds/ros2_node.hpp"
 #include "messaging/vendor_library.hpp"
 
 #include <exception>
@@ -7,6 +9,26 @@ lamprey::messaging::Participant* lamprey_messaging_join(const lamprey::messaging
                                                         std::string& error) noexcept {
   try {
     return lamprey::messaging::cyclonedds::make_participant(options).release();
+  } catch (const std::exception& exception) {
+    error = exception.what();
+    return nullptr;
+  }
+}
+
+lamprey::messaging::ros2::Node* lamprey_messaging_join_ros2(const lamprey::messaging::JoinOptions& options,
+                                                            std::string& error) noexcept {
+  try {
+    return lamprey::messaging::cyclonedds::make_ros2_node(options).release();
+  } catch (const std::exception& exception) {
+    error = exception.what();
+    return nullptr;
+  }
+}
+
+lamprey::messaging::discovery::Watch* lamprey_messaging_watch(const lamprey::messaging::JoinOptions& options,
+                                                              std::string& error) noexcept {
+  try {
+    return lamprey::messaging::cyclonedds::make_discovery_watch(options).release();
   } catch (const std::exception& exception) {
     error = exception.what();
     return nullptr;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <new>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -28,13 +29,19 @@ void lend(dds_sequence_octet& sequence, const std::vector<std::uint8_t>& octets)
   set(sequence, const_cast<std::uint8_t*>(octets.data()), octets.size());
 }
 
-/// `convert(element)` of each element, in the arena.
+/// An array of `length` elements in the arena, yet to be filled.
+template <class Sequence>
+auto* set_aside(Sequence& sequence, std::size_t length, Arena& arena) {
+  using Target = std::remove_pointer_t<decltype(Sequence::_buffer)>;
+  set(sequence, static_cast<Target*>(arena.allocate(length * sizeof(Target), alignof(Target))), length);
+  return sequence._buffer;
+}
+
+/// `convert(element)` of each element, in the arena; made in place, since a result is large.
 template <class Sequence, class Element, class Convert>
 void convert_all(Sequence& sequence, const std::vector<Element>& elements, Arena& arena, Convert convert) {
-  using Target = std::remove_pointer_t<decltype(Sequence::_buffer)>;
-  auto* const buffer = static_cast<Target*>(arena.allocate(elements.size() * sizeof(Target), alignof(Target)));
-  std::transform(elements.begin(), elements.end(), buffer, convert);
-  set(sequence, buffer, elements.size());
+  auto* target = set_aside(sequence, elements.size(), arena);
+  for (const auto& element : elements) new (target++) std::remove_pointer_t<decltype(target)>(convert(element));
 }
 
 lamprey_wire_Origin convert(const Origin& origin) {
@@ -49,7 +56,15 @@ lamprey_wire_JobRange convert(const JobRange& range) {
 }
 
 lamprey_wire_RunningJob convert(const RunningJob& running) {
-  return {.sweep_high = running.sweep.high, .sweep_low = running.sweep.low, .job = running.job};
+  return {.sweep_high = running.sweep.high,
+          .sweep_low = running.sweep.low,
+          .job = running.job,
+          .cycle = running.cycle,
+          .seconds = running.seconds};
+}
+
+lamprey_wire_Counter convert(const Counter& counter) {
+  return {.name = lend(counter.name), .value = counter.value};
 }
 
 lamprey_wire_Score convert(const experiment::Score& score) {
@@ -72,9 +87,23 @@ lamprey_wire_HeldLease convert(const HeldLease& lease, Arena& arena) {
   return wire;
 }
 
-lamprey_wire_Outcome convert(const experiment::Outcome& outcome, Arena& arena) {
-  using experiment::AcceptedChange;
-  lamprey_wire_Outcome wire{};
+void convert(const std::vector<experiment::AcceptedChange>& trace, lamprey_wire_Trace& wire, Arena& arena) {
+  const std::size_t rows = trace.size();
+  auto* const cycles = set_aside(wire.cycles, rows, arena);
+  auto* const stability = set_aside(wire.stability, rows, arena);
+  auto* const distance = set_aside(wire.distance, rows, arena);
+  auto* const fuel = set_aside(wire.fuel, rows, arena);
+  auto* const total = set_aside(wire.total, rows, arena);
+  for (std::size_t row = 0; row < rows; ++row) {
+    cycles[row] = trace[row].cycle;
+    stability[row] = trace[row].score.stability;
+    distance[row] = trace[row].score.distance;
+    fuel[row] = trace[row].score.fuel;
+    total[row] = trace[row].score.total;
+  }
+}
+
+void convert(const experiment::Outcome& outcome, lamprey_wire_Outcome& wire, Arena& arena) {
   wire.expected = convert(outcome.expected);
   wire.initial = convert(outcome.initial);
   wire.evolved = convert(outcome.evolved);
@@ -84,14 +113,9 @@ lamprey_wire_Outcome convert(const experiment::Outcome& outcome, Arena& arena) {
   wire.accepted = outcome.accepted;
   wire.successes = outcome.successes;
   wire.success_rate = outcome.success_rate;
-  convert_all(wire.trace.cycles, outcome.trace, arena, [](const AcceptedChange& change) { return change.cycle; });
-  convert_all(wire.trace.stability, outcome.trace, arena, [](const AcceptedChange& c) { return c.score.stability; });
-  convert_all(wire.trace.distance, outcome.trace, arena, [](const AcceptedChange& c) { return c.score.distance; });
-  convert_all(wire.trace.fuel, outcome.trace, arena, [](const AcceptedChange& c) { return c.score.fuel; });
-  convert_all(wire.trace.total, outcome.trace, arena, [](const AcceptedChange& c) { return c.score.total; });
+  convert(outcome.trace, wire.trace, arena);
   convert_all(wire.measures, outcome.measures, arena,
               [](const experiment::Measure& measure) { return convert(measure); });
-  return wire;
 }
 
 lamprey_wire_JobResult convert(const JobResult& result, Arena& arena) {
@@ -103,9 +127,11 @@ lamprey_wire_JobResult convert(const JobResult& result, Arena& arena) {
   wire.fragments = result.fragments;
   std::copy(result.identity.begin(), result.identity.end(), wire.identity);
   std::copy(result.digest.begin(), result.digest.end(), wire.digest);
-  wire.outcome = convert(result.outcome, arena);
+  convert(result.outcome, wire.outcome, arena);
   wire.seconds = result.seconds;
+  wire.waited = result.waited;
   wire.reason = lend(result.reason);
+  lend(wire.recording, result.recording);
   return wire;
 }
 
@@ -138,7 +164,12 @@ lamprey_wire_WorkerStatus to_wire(const WorkerStatus& sample, Arena& arena) {
   wire.host = lend(sample.host);
   wire.process = sample.process;
   wire.build = lend(sample.build);
+  wire.flags = lend(sample.flags);
+  wire.processor = lend(sample.processor);
+  wire.instruction_set = lend(sample.instruction_set);
   wire.dds = lend(sample.dds);
+  convert_all(wire.labels, sample.labels, arena, [](const std::string& label) { return lend(label); });
+  convert_all(wire.counters, sample.counters, arena, [](const Counter& counter) { return convert(counter); });
   return wire;
 }
 
@@ -165,6 +196,9 @@ lamprey_wire_Lease to_wire(const Lease& sample, Arena& arena) {
   wire.sweep_low = sample.sweep.low;
   convert_all(wire.ranges, sample.ranges, arena, [](const JobRange& range) { return convert(range); });
   wire.duration_milliseconds = sample.duration_milliseconds;
+  wire.time_limit = sample.time_limit;
+  wire.interrupt = sample.interrupt;
+  lend(wire.checkpoint, sample.checkpoint);
   wire.reason = lend(sample.reason);
   return wire;
 }
@@ -185,6 +219,21 @@ lamprey_wire_ResultAcknowledgement to_wire(const ResultAcknowledgement& sample, 
   wire.worker = sample.origin.worker;
   wire.origin = convert(sample.origin);
   convert_all(wire.results, sample.results, arena, [](const Acknowledgement& result) { return convert(result); });
+  return wire;
+}
+
+lamprey_wire_Checkpoint to_wire(const Checkpoint& sample, Arena&) {
+  lamprey_wire_Checkpoint wire{};
+  wire.worker = sample.origin.worker;
+  wire.origin = convert(sample.origin);
+  wire.sweep_high = sample.sweep.high;
+  wire.sweep_low = sample.sweep.low;
+  wire.job = sample.job;
+  wire.lease = sample.lease;
+  wire.cycle = sample.cycle;
+  wire.seconds = sample.seconds;
+  std::copy(sample.identity.begin(), sample.identity.end(), wire.identity);
+  lend(wire.state, sample.state);
   return wire;
 }
 

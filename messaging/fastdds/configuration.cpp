@@ -1,5 +1,6 @@
 #include "messaging/fastdds/configuration.hpp"
 
+#include "messaging/fastdds/transport.hpp"
 #include "messaging/tuning.hpp"
 
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
@@ -44,9 +45,14 @@ void set_transport(const JoinOptions& options, dds::DomainParticipantQos& qos) {
   auto udp = std::make_shared<UDPv4TransportDescriptor>();
   udp->receiveBufferSize = socket_receive_buffer_bytes;
   udp->maxInitialPeersRange = participants_per_host;
-  if (options.loopback_only) udp->interfaceWhiteList = {loopback};
+  if (options.loopback_only) {
+    udp->interfaceWhiteList = {loopback};
+  } else {
+    // One frame of a network each (tuning.hpp). On loopback nothing is lost on the way, and large datagrams cost less.
+    udp->maxMessageSize = maximum_message_bytes;
+  }
   transport.use_builtin_transports = false;
-  transport.user_transports = {std::move(udp)};
+  transport.user_transports = {announcing(std::move(udp))};
 }
 
 void set_discovery(const JoinOptions& options, dds::DomainParticipantQos& qos) {
@@ -89,6 +95,8 @@ dds::DomainParticipantQos participant_qos(const JoinOptions& options) {
   dds::DomainParticipantQos qos = factory->get_default_participant_qos();
   set_transport(options, qos);
   set_discovery(options, qos);
+  const std::string introduction = user_data_of(options);
+  qos.user_data().data_vec({introduction.begin(), introduction.end()});
   return qos;
 }
 

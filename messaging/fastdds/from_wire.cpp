@@ -15,13 +15,19 @@ bool convert(wire::JobRange& from, JobRange& range) {
 }
 
 bool convert(wire::RunningJob& from, RunningJob& running) {
-  running = {.sweep = {from.sweep_high(), from.sweep_low()}, .job = from.job()};
+  running = {.sweep = {from.sweep_high(), from.sweep_low()},
+             .job = from.job(),
+             .cycle = from.cycle(),
+             .seconds = from.seconds()};
+  return true;
+}
+
+bool convert(wire::Counter& from, Counter& counter) {
+  counter = {.name = std::move(from.name()), .value = from.value()};
   return true;
 }
 
 bool convert(wire::HeldLease& from, HeldLease& lease);
-bool convert(wire::Measure& from, experiment::Measure& measure);
-bool convert(wire::JobResult& from, JobResult& result);
 bool convert(wire::Acknowledgement& from, Acknowledgement& acknowledgement);
 
 /// False as soon as one element is.
@@ -49,57 +55,6 @@ bool convert(wire::HeldLease& from, HeldLease& lease) {
   return convert_all(from.remaining(), lease.remaining);
 }
 
-experiment::Score score(const wire::Score& from) {
-  return {.stability = from.stability(), .distance = from.distance(), .fuel = from.fuel(), .total = from.total()};
-}
-
-bool convert(const wire::Trace& from, std::vector<experiment::AcceptedChange>& trace) {
-  const std::size_t rows = from.cycles().size();
-  if (from.stability().size() != rows || from.distance().size() != rows || from.fuel().size() != rows ||
-      from.total().size() != rows) {
-    return false;
-  }
-  trace.resize(rows);
-  for (std::size_t row = 0; row < rows; ++row) {
-    trace[row] = {.cycle = from.cycles()[row],
-                  .score = {.stability = from.stability()[row],
-                            .distance = from.distance()[row],
-                            .fuel = from.fuel()[row],
-                            .total = from.total()[row]}};
-  }
-  return true;
-}
-
-bool convert(wire::Measure& from, experiment::Measure& measure) {
-  measure = {.name = std::move(from.name()), .index = from.index(), .value = from.value()};
-  return true;
-}
-
-bool convert(wire::Outcome& from, experiment::Outcome& outcome) {
-  outcome.expected = score(from.expected());
-  outcome.initial = score(from.initial());
-  outcome.evolved = score(from.evolved());
-  outcome.highest = score(from.highest());
-  outcome.final = score(from.last());
-  outcome.cycles = from.cycles();
-  outcome.accepted = from.accepted();
-  outcome.successes = from.successes();
-  outcome.success_rate = from.success_rate();
-  return convert(from.trace(), outcome.trace) && convert_all(from.measures(), outcome.measures);
-}
-
-bool convert(wire::JobResult& from, JobResult& result) {
-  result.job = from.job();
-  result.lease = from.lease();
-  result.fragment = from.fragment();
-  result.fragments = from.fragments();
-  result.identity = from.identity();
-  result.digest = from.digest();
-  result.seconds = from.seconds();
-  result.reason = std::move(from.reason());
-  return set_enumerator(result.kind, from.kind()) && convert(from.outcome(), result.outcome);
-}
-
 bool convert(wire::Acknowledgement& from, Acknowledgement& acknowledgement) {
   acknowledgement.sweep = {from.sweep_high(), from.sweep_low()};
   acknowledgement.job = from.job();
@@ -121,9 +76,13 @@ bool from_wire(wire::WorkerStatus& from, WorkerStatus& sample) {
   sample.host = std::move(from.host());
   sample.process = from.process();
   sample.build = std::move(from.build());
+  sample.flags = std::move(from.flags());
+  sample.processor = std::move(from.processor());
+  sample.instruction_set = std::move(from.instruction_set());
   sample.dds = std::move(from.dds());
+  sample.labels = std::move(from.labels());
   return set_enumerator(sample.state, from.state()) && convert_all(from.leases(), sample.leases) &&
-         convert_all(from.running(), sample.running);
+         convert_all(from.running(), sample.running) && convert_all(from.counters(), sample.counters);
 }
 
 bool from_wire(wire::SweepSpecification& from, SweepSpecification& sample) {
@@ -141,20 +100,28 @@ bool from_wire(wire::Lease& from, Lease& sample) {
   sample.lease = from.lease();
   sample.sweep = {from.sweep_high(), from.sweep_low()};
   sample.duration_milliseconds = from.duration_milliseconds();
+  sample.time_limit = from.time_limit();
+  sample.interrupt = from.interrupt();
+  sample.checkpoint = std::move(from.checkpoint());
   sample.reason = std::move(from.reason());
   return set_enumerator(sample.kind, from.kind()) && convert_all(from.ranges(), sample.ranges);
-}
-
-bool from_wire(wire::ResultBatch& from, ResultBatch& sample) {
-  sample.origin = origin(from.origin(), from.worker());
-  sample.sequence = from.batch_sequence();
-  sample.sweep = {from.sweep_high(), from.sweep_low()};
-  return convert_all(from.results(), sample.results);
 }
 
 bool from_wire(wire::ResultAcknowledgement& from, ResultAcknowledgement& sample) {
   sample.origin = origin(from.origin(), from.worker());
   return convert_all(from.results(), sample.results);
+}
+
+bool from_wire(wire::Checkpoint& from, Checkpoint& sample) {
+  sample.origin = origin(from.origin(), from.worker());
+  sample.sweep = {from.sweep_high(), from.sweep_low()};
+  sample.job = from.job();
+  sample.lease = from.lease();
+  sample.cycle = from.cycle();
+  sample.seconds = from.seconds();
+  sample.identity = from.identity();
+  sample.state = std::move(from.state());
+  return true;
 }
 
 bool from_wire(wire::Request& from, Request& sample) {

@@ -77,23 +77,6 @@ Walker& origin(Walker& walker) {
 Walker& ranges(Walker& walker) {
   return walker.sequence([](Walker& range) { range.u64(2); });
 }
-void score(Walker& walker) {
-  walker.real(4);
-}
-
-void outcome(Walker& walker) {
-  for (int i = 0; i < 5; ++i) score(walker);
-  walker.u32(3).real();
-  walker.u32s().reals().reals().reals().reals();
-  walker.sequence([](Walker& measure) { measure.text().u32().real(); });
-}
-
-void job_result(Walker& walker) {
-  walker.u64().u32().u64().u32(2).octets(32).octets(32);
-  outcome(walker);
-  walker.real().text();
-}
-
 bool correlated_payload(std::span<const std::uint8_t> payload) {
   Walker walker(payload);
   return origin(walker.u64()).u64(2).octet_sequence().good();
@@ -106,8 +89,10 @@ bool lengths_are_possible<WorkerStatus>(std::span<const std::uint8_t> payload) {
   Walker walker(payload);
   origin(walker.u64()).u64().u32(3).u64(3);
   walker.sequence([](Walker& lease) { ranges(lease.u64(6)); });
-  walker.sequence([](Walker& running) { running.u64(3); });
-  return walker.text().u32().text().text().good();
+  walker.sequence([](Walker& running) { running.u64(3).u32().real(); });
+  walker.text().u32().text().text().text().text().text();
+  walker.sequence([](Walker& label) { label.text(); });
+  return walker.sequence([](Walker& counter) { counter.text().u64(); }).good();
 }
 
 template <>
@@ -120,19 +105,19 @@ template <>
 bool lengths_are_possible<Lease>(std::span<const std::uint8_t> payload) {
   Walker walker(payload);
   origin(walker.u64()).u32().u64(4);
-  return ranges(walker).u32().text().good();
-}
-
-template <>
-bool lengths_are_possible<ResultBatch>(std::span<const std::uint8_t> payload) {
-  Walker walker(payload);
-  return origin(walker.u64()).u64(3).sequence(job_result).good();
+  return ranges(walker).u32().real().octets(1).octet_sequence().text().good();
 }
 
 template <>
 bool lengths_are_possible<ResultAcknowledgement>(std::span<const std::uint8_t> payload) {
   Walker walker(payload);
   return origin(walker.u64()).sequence([](Walker& result) { result.u64(3).octets(32).u32().text(); }).good();
+}
+
+template <>
+bool lengths_are_possible<Checkpoint>(std::span<const std::uint8_t> payload) {
+  Walker walker(payload);
+  return origin(walker.u64()).u64(4).u32().real().octets(32).octet_sequence().good();
 }
 
 template <>
@@ -149,6 +134,60 @@ template <>
 bool lengths_are_possible<SweepProgress>(std::span<const std::uint8_t> payload) {
   Walker walker(payload);
   return origin(walker.u64(3)).text().text().u64(8).real(2).u32().good();
+}
+
+// The types of idl/robot.idl.
+
+template <>
+bool lengths_are_possible<RobotStatus>(std::span<const std::uint8_t> payload) {
+  Walker walker(payload);
+  walker.u64().text().u32().octets(1).text().u64(4).real().text().text().text().text().u32().text().text();
+  return walker.sequence([](Walker& counter) { counter.text().u64(); }).good();
+}
+
+template <>
+bool lengths_are_possible<RobotRequest>(std::span<const std::uint8_t> payload) {
+  return Walker(payload).u64(3).u32().u64().octets(1).real(servos).text().good();
+}
+
+template <>
+bool lengths_are_possible<RobotReply>(std::span<const std::uint8_t> payload) {
+  return Walker(payload).u64(3).octets(1).text().u64().u32(2).octets(1).good();
+}
+
+template <>
+bool lengths_are_possible<ServoCommand>(std::span<const std::uint8_t> payload) {
+  return Walker(payload).u64(3).u32().octets(1).real(servos).good();
+}
+
+template <>
+bool lengths_are_possible<ServoState>(std::span<const std::uint8_t> payload) {
+  return Walker(payload).u64(3).u32(2).text().real(2 * servos).octets(1).u32().u64(2).good();
+}
+
+// The types of idl/ros2.idl.
+
+template <>
+bool lengths_are_possible<ros2::JointState>(std::span<const std::uint8_t> payload) {
+  Walker walker(payload);
+  walker.u32(2).text().sequence([](Walker& name) { name.text(); });
+  return walker.reals().reals().reals().good();
+}
+
+template <>
+bool lengths_are_possible<ros2::Diagnostics>(std::span<const std::uint8_t> payload) {
+  Walker walker(payload);
+  walker.u32(2).text().sequence([](Walker& status) {
+    status.octets(1).text().text().text().sequence([](Walker& value) { value.text().text(); });
+  });
+  return walker.good();
+}
+
+template <>
+bool lengths_are_possible<ros2::JointCommand>(std::span<const std::uint8_t> payload) {
+  Walker walker(payload);
+  walker.sequence([](Walker& dimension) { dimension.text().u32(2); });
+  return walker.u32().reals().good();
 }
 
 }  // namespace lamprey::messaging::fastdds

@@ -2,8 +2,12 @@
 
 #include "messaging/fastdds/payload_check.hpp"
 #include "messaging/fastdds/wire.hpp"
+#include "messaging/malformed_samples.hpp"
+#include "messaging/qos.hpp"
 
+#include <memory>
 #include <mutex>
+#include <utility>
 
 namespace lamprey::messaging::fastdds {
 
@@ -15,12 +19,18 @@ class GuardedType final : public Wire<Sample>::TypeSupport {
   using Generated = typename Wire<Sample>::TypeSupport;
 
  public:
+  explicit GuardedType(std::shared_ptr<MalformedSamples> malformed) : malformed_(std::move(malformed)) {}
+
   bool deserialize(eprosima::fastrtps::rtps::SerializedPayload_t* payload, void* data) override {
+    bool good = false;
     try {
-      return lengths_are_possible<Sample>({payload->data, payload->length}) && Generated::deserialize(payload, data);
-    } catch (...) {
-      return false;
+      good = has_possible_lengths(*payload) && Generated::deserialize(payload, data);
+    } catch (...) {  // whatever the generated code throws, it must not reach the vendor's thread
+      good = false;
     }
+    // Here Fast DDS does not tell who wrote it.
+    if (!good) malformed_->note(Topic<Sample>::name, "an unknown writer", "its lengths are impossible");
+    return good;
   }
 
   bool getKey(void* data, eprosima::fastrtps::rtps::InstanceHandle_t* handle, bool force_md5) override {
@@ -29,6 +39,15 @@ class GuardedType final : public Wire<Sample>::TypeSupport {
   }
 
  private:
+  static bool has_possible_lengths(const eprosima::fastrtps::rtps::SerializedPayload_t& payload) {
+    if constexpr (requires { Generated::checks_lengths; }) {
+      return true;
+    } else {
+      return lengths_are_possible<Sample>({payload.data, payload.length});
+    }
+  }
+
+  std::shared_ptr<MalformedSamples> malformed_;
   std::mutex mutex_;
 };
 

@@ -7,38 +7,53 @@
 #include "messaging/tuning.hpp"
 
 #include <algorithm>
+#include <array>
 #include <deque>
+#include <iterator>
 #include <map>
 #include <mutex>
 #include <set>
-#include <tuple>
 #include <utility>
 
 namespace lamprey::messaging::in_memory {
 namespace detail {
 namespace {
 
-template <class Sample>
-struct Entry {
-  std::uint64_t ordinal;
-  std::shared_ptr<const Sample> sample;
+/// What the bus has to know of a topic; what its samples are only their writers and readers know.
+struct Kind {
+  std::string_view name;
+  QosProfile profile;
+  bool (*same_key)(const void*, const void*) = nullptr;  ///< of two samples; nullptr where the type has no keys
 };
 
 template <class Sample>
-using Entries = std::deque<Entry<Sample>>;
+constexpr Kind kind_of() {
+  Kind kind{.name = Topic<Sample>::name, .profile = Topic<Sample>::profile};
+  if constexpr (Keyed<Sample>) {
+    kind.same_key = [](const void* one, const void* other) {
+      return key_of(*static_cast<const Sample*>(one)) == key_of(*static_cast<const Sample*>(other));
+    };
+  }
+  return kind;
+}
+
+struct Entry {
+  std::uint64_t ordinal;
+  std::shared_ptr<const void> sample;  // of the topic's type
+};
+using Entries = std::deque<Entry>;
 
 /// Appends and drops the oldest beyond `depth`, per key where the type has keys.
-template <class Sample>
-void keep_last(Entries<Sample>& entries, Entry<Sample> entry, std::size_t depth) {
-  if constexpr (Keyed<Sample>) {
-    const auto same_key = [&](const Entry<Sample>& other) { return key_of(*other.sample) == key_of(*entry.sample); };
-    if (static_cast<std::size_t>(std::count_if(entries.begin(), entries.end(), same_key)) >= depth) {
-      entries.erase(std::find_if(entries.begin(), entries.end(), same_key));
+void keep_last(const Kind& kind, Entries& entries, const Entry& entry, std::size_t depth) {
+  if (kind.same_key != nullptr) {
+    const auto same_key = [&](const Entry& other) { return kind.same_key(other.sample.get(), entry.sample.get()); };
+    if (static_cast<std::size_t>(std::ranges::count_if(entries, same_key)) >= depth) {
+      entries.erase(std::ranges::find_if(entries, same_key));
     }
   } else if (entries.size() >= depth) {
     entries.pop_front();
   }
-  entries.push_back(std::move(entry));
+  entries.push_back(entry);
 }
 
 }  // namespace
@@ -50,35 +65,45 @@ struct Member {
   bool alive = true;
 };
 
-template <class Sample>
 struct WriterEnd {
+  std::size_t topic;
   std::shared_ptr<Member> member;
   Partition partition;
   bool open = true;
-  Entries<Sample> remembered;  // transient-local only
+  Entries remembered;  // transient-local only
 };
 
-template <class Sample>
 struct ReaderEnd {
+  std::size_t topic;
   std::shared_ptr<Member> member;
   Partition partition;
   std::shared_ptr<Signal> signal;
-  Entries<Sample> untaken;
+  Entries untaken;
 };
 
-template <class Sample>
 struct HeldSample {
-  std::shared_ptr<WriterEnd<Sample>> writer;
-  Entry<Sample> entry;
+  std::shared_ptr<WriterEnd> writer;
+  Entry entry;
 };
 
-template <class Sample>
 struct TopicState {
+  Kind kind;
   std::uint64_t next_ordinal = 0;
-  std::vector<std::shared_ptr<WriterEnd<Sample>>> writers;
-  std::vector<std::shared_ptr<ReaderEnd<Sample>>> readers;
-  std::map<std::uint64_t, HeldSample<Sample>> held;  // by ordinal
+  std::vector<std::shared_ptr<WriterEnd>> writers;
+  std::vector<std::shared_ptr<ReaderEnd>> readers;
+  std::map<std::uint64_t, HeldSample> held;  // by ordinal
 };
+
+using AnySample = decltype(Envelope::sample);
+
+/// In the order of the samples.
+template <class... Samples>
+std::array<TopicState, sizeof...(Samples)> topics_of(const std::variant<const Samples*...>&) {
+  return {TopicState{kind_of<Samples>(), 0, {}, {}, {}}...};
+}
+
+template <class Sample>
+constexpr std::size_t topic = AnySample(static_cast<const Sample*>(nullptr)).index();
 
 class State {
  public:
@@ -92,68 +117,56 @@ class State {
     decide_ = std::move(decide);
   }
 
-  template <class Sample>
-  std::shared_ptr<WriterEnd<Sample>> add_writer(std::shared_ptr<Member> member, Partition partition) {
+  std::shared_ptr<WriterEnd> add_writer(std::size_t topic, std::shared_ptr<Member> member, Partition partition) {
     const std::lock_guard lock(mutex_);
-    auto end = std::make_shared<WriterEnd<Sample>>();
-    end->member = std::move(member);
-    end->partition = partition;
-    if (end->member->alive) topic<Sample>().writers.push_back(end);
+    auto end = std::make_shared<WriterEnd>(WriterEnd{topic, std::move(member), partition, true, {}});
+    if (end->member->alive) topics_[topic].writers.push_back(end);
     return end;
   }
 
-  template <class Sample>
-  std::shared_ptr<ReaderEnd<Sample>> add_reader(std::shared_ptr<Member> member, Partition partition,
-                                                std::shared_ptr<Signal> signal) {
+  std::shared_ptr<ReaderEnd> add_reader(std::size_t topic, std::shared_ptr<Member> member, Partition partition,
+                                        std::shared_ptr<Signal> signal) {
     const std::lock_guard lock(mutex_);
-    auto end = std::make_shared<ReaderEnd<Sample>>();
-    end->member = std::move(member);
-    end->partition = partition;
-    end->signal = std::move(signal);
+    auto end = std::make_shared<ReaderEnd>(ReaderEnd{topic, std::move(member), partition, std::move(signal), {}});
     if (end->member->alive) {
-      topic<Sample>().readers.push_back(end);
-      recall(topic<Sample>(), *end, [](const WriterEnd<Sample>&) { return true; });
+      topics_[topic].readers.push_back(end);
+      recall(topics_[topic], *end, [](const WriterEnd&) { return true; });
     }
     return end;
   }
 
-  template <class Sample>
-  void remove(const std::shared_ptr<WriterEnd<Sample>>& end) {
+  void remove(const std::shared_ptr<WriterEnd>& end) {
     const std::lock_guard lock(mutex_);
     end->open = false;
-    std::erase(topic<Sample>().writers, end);
+    std::erase(topics_[end->topic].writers, end);
   }
 
-  template <class Sample>
-  void remove(const std::shared_ptr<ReaderEnd<Sample>>& end) {
+  void remove(const std::shared_ptr<ReaderEnd>& end) {
     const std::lock_guard lock(mutex_);
-    std::erase(topic<Sample>().readers, end);
+    std::erase(topics_[end->topic].readers, end);
   }
 
-  template <class Sample>
-  WriteResult write(const std::shared_ptr<WriterEnd<Sample>>& writer, const Sample& sample) {
+  /// `sample` is what `copy` holds.
+  WriteResult write(const std::shared_ptr<WriterEnd>& writer, std::shared_ptr<const void> copy, AnySample sample) {
     const std::lock_guard lock(mutex_);
     if (!writer->member->alive) return {};
-    if (auto violation = limit_violation(sample)) {
-      return {WriteResult::Kind::failed, "cannot write to " + std::string(Topic<Sample>::name) + ": " + *violation};
-    }
-    auto& topic = this->topic<Sample>();
+    auto& topic = topics_[writer->topic];
     if (is_full(topic, *writer)) {
-      return {WriteResult::Kind::full, "a reader of " + std::string(Topic<Sample>::name) + " has not kept up"};
+      return {WriteResult::Kind::full, "a reader of " + std::string(topic.kind.name) + " has not kept up"};
     }
-    Entry<Sample> entry{topic.next_ordinal++, std::make_shared<const Sample>(sample)};
+    const Entry entry{topic.next_ordinal++, std::move(copy)};
     const auto decide = decide_;  // it may replace itself
     const Fate fate = !decide ? Fate::deliver
-                              : decide(Envelope{.topic = Topic<Sample>::name,
+                              : decide(Envelope{.topic = topic.kind.name,
                                                 .ordinal = entry.ordinal,
                                                 .partition = writer->partition,
                                                 .sender = writer->member->name,
-                                                .sample = entry.sample.get()});
+                                                .sample = sample});
     switch (fate) {
       case Fate::drop:
         break;
       case Fate::hold:
-        topic.held.emplace(entry.ordinal, HeldSample<Sample>{writer, std::move(entry)});
+        topic.held.emplace(entry.ordinal, HeldSample{writer, entry});
         break;
       case Fate::deliver:
         deliver(topic, *writer, entry, 1);
@@ -165,32 +178,25 @@ class State {
     return {};
   }
 
-  template <class Sample>
-  std::vector<Sample> take(ReaderEnd<Sample>& reader, std::size_t most) {
+  Entries take(ReaderEnd& reader, std::size_t most) {
     const std::lock_guard lock(mutex_);
-    std::vector<Sample> samples;
-    const std::size_t count = std::min(most, reader.untaken.size());
-    samples.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      samples.push_back(*reader.untaken.front().sample);
-      reader.untaken.pop_front();
-    }
+    const auto end = reader.untaken.begin() + static_cast<std::ptrdiff_t>(std::min(most, reader.untaken.size()));
+    Entries taken(std::make_move_iterator(reader.untaken.begin()), std::make_move_iterator(end));
+    reader.untaken.erase(reader.untaken.begin(), end);
     if (!reader.untaken.empty()) notify(reader);
-    return samples;
+    return taken;
   }
 
   std::vector<Held> held() const {
     const std::lock_guard lock(mutex_);
     std::vector<Held> all;
-    for_each_topic([&](const auto& topic) { collect_held(topic, all); });
+    for (const auto& topic : topics_) collect_held(topic, all);
     return all;
   }
 
   bool release(const Held& which) {
     const std::lock_guard lock(mutex_);
-    bool released = false;
-    for_each_topic([&](auto& topic) { released = released || release_one(topic, which); });
-    return released;
+    return std::ranges::any_of(topics_, [&](auto& topic) { return release_one(topic, which); });
   }
 
   void disconnect(std::string_view name) {
@@ -208,13 +214,13 @@ class State {
       member->connected = true;
       back.insert(member.get());
     }
-    for_each_topic([&](auto& topic) {
+    for (auto& topic : topics_) {
       for (const auto& reader : topic.readers) {
         const bool reader_is_back = back.contains(reader->member.get());
         recall(topic, *reader,
                [&](const auto& writer) { return reader_is_back != back.contains(writer.member.get()); });
       }
-    });
+    }
   }
 
   void kill(std::string_view name) {
@@ -223,14 +229,14 @@ class State {
       if (member->name == name) member->alive = false;
     }
     const auto is_dead = [](const auto& end) { return !end->member->alive; };
-    for_each_topic([&](auto& topic) {
+    for (auto& topic : topics_) {
       for (const auto& writer : topic.writers) writer->open = writer->open && writer->member->alive;
       for (const auto& reader : topic.readers) {
         if (is_dead(reader)) reader->untaken.clear();
       }
       std::erase_if(topic.writers, is_dead);
       std::erase_if(topic.readers, is_dead);
-    });
+    }
     std::erase_if(members_, [](const auto& member) { return !member->alive; });
   }
 
@@ -240,77 +246,54 @@ class State {
   }
 
  private:
-  template <class Sample>
-  TopicState<Sample>& topic() {
-    return std::get<TopicState<Sample>>(topics_);
-  }
-
-  template <class Function>
-  void for_each_topic(Function function) {
-    std::apply([&](auto&... topic) { (function(topic), ...); }, topics_);
-  }
-  template <class Function>
-  void for_each_topic(Function function) const {
-    std::apply([&](const auto&... topic) { (function(topic), ...); }, topics_);
-  }
-
-  template <class Sample>
-  static bool meet(const WriterEnd<Sample>& writer, const ReaderEnd<Sample>& reader) {
+  static bool meet(const WriterEnd& writer, const ReaderEnd& reader) {
     const bool same_program = writer.member == reader.member;
     return writer.partition == reader.partition && writer.member->alive && reader.member->alive &&
            (same_program || (writer.member->connected && reader.member->connected));
   }
 
-  template <class Sample>
-  static bool is_full(const TopicState<Sample>& topic, const WriterEnd<Sample>& writer) {
-    if (!Topic<Sample>::profile.keep_all) return false;
+  static bool is_full(const TopicState& topic, const WriterEnd& writer) {
+    if (!topic.kind.profile.keep_all) return false;
     return std::any_of(topic.readers.begin(), topic.readers.end(), [&](const auto& reader) {
-      return meet(writer, *reader) && reader->untaken.size() >= Topic<Sample>::profile.depth;
+      return meet(writer, *reader) && reader->untaken.size() >= topic.kind.profile.depth;
     });
   }
 
-  template <class Sample>
-  static void notify(ReaderEnd<Sample>& reader) {
+  static void notify(ReaderEnd& reader) {
     if (reader.signal) reader.signal->notify();
   }
 
-  template <class Sample>
-  static void receive(ReaderEnd<Sample>& reader, const Entry<Sample>& entry) {
-    const std::size_t depth = Keyed<Sample> ? Topic<Sample>::profile.depth : std::size_t{maximum_untaken};
-    keep_last(reader.untaken, entry, depth);
+  static void receive(const Kind& kind, ReaderEnd& reader, const Entry& entry) {
+    keep_last(kind, reader.untaken, entry, kind.same_key != nullptr ? kind.profile.depth : kind.profile.untaken);
     notify(reader);
   }
 
-  template <class Sample>
-  static void deliver(TopicState<Sample>& topic, WriterEnd<Sample>& writer, const Entry<Sample>& entry, int times) {
-    if (Topic<Sample>::profile.transient_local && writer.open) {
-      keep_last(writer.remembered, entry, Topic<Sample>::profile.depth);
-    }
+  static void deliver(TopicState& topic, WriterEnd& writer, const Entry& entry, int times) {
+    const QosProfile& profile = topic.kind.profile;
+    if (profile.transient_local && writer.open) keep_last(topic.kind, writer.remembered, entry, profile.depth);
     for (const auto& reader : topic.readers) {
-      for (int i = 0; i < times && meet(writer, *reader); ++i) receive(*reader, entry);
+      for (int i = 0; i < times && meet(writer, *reader); ++i) receive(topic.kind, *reader, entry);
     }
   }
 
   /// Gives the reader what the selected writers remember, in the order in which it was written.
-  template <class Sample, class Select>
-  static void recall(TopicState<Sample>& topic, ReaderEnd<Sample>& reader, Select select) {
-    Entries<Sample> remembered;
+  template <class Select>
+  static void recall(TopicState& topic, ReaderEnd& reader, Select select) {
+    Entries remembered;
     for (const auto& writer : topic.writers) {
       if (!meet(*writer, reader) || !select(*writer)) continue;
       remembered.insert(remembered.end(), writer->remembered.begin(), writer->remembered.end());
     }
     std::sort(remembered.begin(), remembered.end(), [](const auto& a, const auto& b) { return a.ordinal < b.ordinal; });
-    for (const auto& entry : remembered) receive(reader, entry);
+    for (const auto& entry : remembered) receive(topic.kind, reader, entry);
   }
 
-  template <class Sample>
-  static void collect_held(const TopicState<Sample>& topic, std::vector<Held>& all) {
-    for (const auto& [ordinal, held] : topic.held) all.push_back({std::string(Topic<Sample>::name), ordinal});
+  static void collect_held(const TopicState& topic, std::vector<Held>& all) {
+    for (const auto& [ordinal, held] : topic.held) all.push_back({std::string(topic.kind.name), ordinal});
   }
 
-  template <class Sample>
-  static bool release_one(TopicState<Sample>& topic, const Held& which) {
-    if (which.topic != Topic<Sample>::name) return false;
+  static bool release_one(TopicState& topic, const Held& which) {
+    if (which.topic != topic.kind.name) return false;
     auto node = topic.held.extract(which.ordinal);
     if (node.empty()) return false;
     deliver(topic, *node.mapped().writer, node.mapped().entry, 1);
@@ -320,9 +303,7 @@ class State {
   mutable std::recursive_mutex mutex_;  // recursive: a fate function may call the bus
   std::function<Fate(const Envelope&)> decide_;
   std::vector<std::shared_ptr<Member>> members_;
-  std::tuple<TopicState<WorkerStatus>, TopicState<SweepSpecification>, TopicState<Lease>, TopicState<ResultBatch>,
-             TopicState<ResultAcknowledgement>, TopicState<Request>, TopicState<Reply>, TopicState<SweepProgress>>
-      topics_;
+  decltype(topics_of(AnySample{})) topics_ = topics_of(AnySample{});
 };
 
 }  // namespace detail
@@ -332,33 +313,45 @@ namespace {
 template <class Sample>
 class BusWriter final : public Writer<Sample> {
  public:
-  BusWriter(std::shared_ptr<detail::State> state, std::shared_ptr<detail::WriterEnd<Sample>> end)
+  BusWriter(std::shared_ptr<detail::State> state, std::shared_ptr<detail::WriterEnd> end)
       : state_(std::move(state)), end_(std::move(end)) {}
   ~BusWriter() override { state_->remove(end_); }
   BusWriter(const BusWriter&) = delete;
   BusWriter& operator=(const BusWriter&) = delete;
 
-  WriteResult write(const Sample& sample) override { return state_->write(end_, sample); }
+  WriteResult write(const Sample& sample) override {
+    if (auto violation = limit_violation(sample)) {
+      return {WriteResult::Kind::failed, "cannot write to " + std::string(Topic<Sample>::name) + ": " + *violation};
+    }
+    const auto copy = std::make_shared<const Sample>(sample);
+    return state_->write(end_, copy, copy.get());
+  }
 
  private:
   std::shared_ptr<detail::State> state_;
-  std::shared_ptr<detail::WriterEnd<Sample>> end_;
+  std::shared_ptr<detail::WriterEnd> end_;
 };
 
 template <class Sample>
 class BusReader final : public Reader<Sample> {
  public:
-  BusReader(std::shared_ptr<detail::State> state, std::shared_ptr<detail::ReaderEnd<Sample>> end)
+  BusReader(std::shared_ptr<detail::State> state, std::shared_ptr<detail::ReaderEnd> end)
       : state_(std::move(state)), end_(std::move(end)) {}
   ~BusReader() override { state_->remove(end_); }
   BusReader(const BusReader&) = delete;
   BusReader& operator=(const BusReader&) = delete;
 
-  std::vector<Sample> take(std::size_t most) override { return state_->take(*end_, most); }
+  std::vector<Sample> take(std::size_t most) override {
+    std::vector<Sample> samples;
+    for (const auto& entry : state_->take(*end_, most)) {
+      samples.push_back(*static_cast<const Sample*>(entry.sample.get()));
+    }
+    return samples;
+  }
 
  private:
   std::shared_ptr<detail::State> state_;
-  std::shared_ptr<detail::ReaderEnd<Sample>> end_;
+  std::shared_ptr<detail::ReaderEnd> end_;
 };
 
 class BusParticipant final : public ParticipantOf<BusParticipant> {
@@ -371,14 +364,15 @@ class BusParticipant final : public ParticipantOf<BusParticipant> {
 
   template <class Sample>
   std::unique_ptr<Writer<Sample>> open_writer(Partition partition) {
-    return std::make_unique<BusWriter<Sample>>(state_, state_->add_writer<Sample>(member_, partition));
+    return std::make_unique<BusWriter<Sample>>(state_, state_->add_writer(detail::topic<Sample>, member_, partition));
   }
   template <class Sample>
   std::unique_ptr<Reader<Sample>> open_reader(Partition partition, std::shared_ptr<Signal> signal) {
-    return std::make_unique<BusReader<Sample>>(state_,
-                                               state_->add_reader<Sample>(member_, partition, std::move(signal)));
+    return std::make_unique<BusReader<Sample>>(
+        state_, state_->add_reader(detail::topic<Sample>, member_, partition, std::move(signal)));
   }
   std::string vendor() const override { return "in_memory"; }
+  std::uint64_t malformed_samples() const override { return 0; }
 
  private:
   std::shared_ptr<detail::State> state_;

@@ -35,7 +35,8 @@ struct Envelope {
   Partition partition;
   std::string_view sender;  ///< the participant's name
   std::variant<const WorkerStatus*, const SweepSpecification*, const Lease*, const ResultBatch*,
-               const ResultAcknowledgement*, const Request*, const Reply*, const SweepProgress*>
+               const ResultAcknowledgement*, const Checkpoint*, const Request*, const Reply*, const SweepProgress*,
+               const RobotStatus*, const RobotRequest*, const RobotReply*, const ServoCommand*, const ServoState*>
       sample;
 
   /// The sample, or nullptr if it is of another type.

@@ -1,6 +1,8 @@
 #include "messaging/program/join_options.hpp"
 
 #include "messaging/names.hpp"
+#include "messaging/process_identity.hpp"
+#include "messaging/program/build_info.hpp"
 #include "messaging/tuning.hpp"
 #include "messaging/vendor_library.hpp"
 
@@ -8,6 +10,7 @@
 #include <charconv>
 #include <cstdlib>
 #include <string>
+#include <unistd.h>
 
 namespace lamprey::messaging::program {
 namespace {
@@ -39,7 +42,16 @@ std::string check_isolation(const std::string& name) {
 
 std::string check_peer(const std::string& peer) {
   if (is_valid_peer(peer)) return {};
-  return "'" + peer + "' is not a host name or address";
+  return "'" + peer + "' is not a host name or address (option or LAMPREY_PEERS)";
+}
+
+/// Peers have no meaning on one machine: those of the environment are left out, others are a contradiction.
+void leave_peers_out(const CLI::Option& peer, JoinOptions& options) {
+  if (!options.loopback_only || peer.count() == 0) return;
+  const char* const value = std::getenv("LAMPREY_PEERS");
+  const auto of_environment = CLI::detail::split(value == nullptr ? "" : value, ',');
+  if (options.peers != of_environment) throw CLI::ExcludesError("--loopback-only", "--peer");
+  options.peers.clear();
 }
 
 bool is_set(const char* variable) {
@@ -69,15 +81,35 @@ void add_join_options(CLI::App& app, JoinOptions& options) {
       ->type_name("NAME")
       ->capture_default_str()
       ->group(group);
-  auto* const peer = app.add_option("--peer", options.peers,
-                                    "a host to look for without multicast, such as the coordinator's; repeatable")
-                         ->check(check_peer)
-                         ->type_name("HOST")
-                         ->allow_extra_args(false)
-                         ->group(group);
-  app.add_flag("--loopback-only", options.loopback_only, "meet programs on this machine only")
-      ->excludes(peer)
+  const auto* const peer =
+      app.add_option("--peer", options.peers,
+                     "a host to look for without multicast, such as the coordinator's; repeatable, or 'HOST,HOST'")
+          ->envname("LAMPREY_PEERS")
+          ->delimiter(',')
+          ->check(check_peer)
+          ->type_name("HOST")
+          ->allow_extra_args(false)
+          ->group(group);
+  app.add_flag("--loopback-only", options.loopback_only,
+               "meet programs on this machine only; LAMPREY_PEERS is not heeded")
       ->group(group);
+  app.parse_complete_callback([peer, &options] { leave_peers_out(*peer, options); });
+}
+
+discovery::Introduction introduction(std::string_view role) {
+  return {.role = std::string(role),
+          .host = host_name(),
+          .process = static_cast<std::uint32_t>(::getpid()),
+          .build = build(),
+          .isolation = {}};
+}
+
+std::unique_ptr<Participant> join_bridges(const JoinOptions& own, const std::string& isolation) {
+  if (isolation.empty()) return nullptr;
+  JoinOptions options = own;
+  options.isolation = isolation;
+  options.loopback_only = false;
+  return join(options);
 }
 
 }  // namespace lamprey::messaging::program

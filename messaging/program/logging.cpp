@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdio>
 #include <ctime>
+#include <google/protobuf/stubs/logging.h>
 #include <nlohmann/json.hpp>
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
@@ -72,6 +73,13 @@ class LineFormatter final : public spdlog::formatter {
   std::string program_;
 };
 
+/// Protobuf would write its own lines between ours. What it has to say of a message from the network is the sender's
+/// fault, and the reply or the count of malformed samples says it.
+void log_of_protobuf(google::protobuf::LogLevel level, const char*, int, const std::string& message) {
+  const bool fatal = level == google::protobuf::LOGLEVEL_FATAL;
+  spdlog::log(fatal ? spdlog::level::critical : spdlog::level::debug, "protobuf: {}", message);
+}
+
 }  // namespace
 
 void add_logging_options(CLI::App& app, LoggingOptions& options) {
@@ -98,6 +106,7 @@ void start_logging(const LoggingOptions& options, const std::string& program) {
   logger->set_level(spdlog::level::from_str(options.level));
   logger->flush_on(spdlog::level::trace);
   spdlog::set_default_logger(std::move(logger));
+  google::protobuf::SetLogHandler(log_of_protobuf);
 }
 
 }  // namespace lamprey::messaging::program

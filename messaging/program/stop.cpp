@@ -2,8 +2,10 @@
 
 #include "messaging/program/exit_codes.hpp"
 
+#include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstddef>
 #include <cstdint>
 #include <stdexcept>
 #include <sys/eventfd.h>
@@ -19,8 +21,8 @@ std::atomic<int> handler_event = -1;
 std::atomic<int> interrupts = 0;
 static_assert(std::atomic<int>::is_always_lock_free);
 
-struct sigaction previous_interrupt {};
-struct sigaction previous_terminate {};
+constexpr std::array stopping_signals{SIGINT, SIGTERM, SIGHUP};
+std::array<struct sigaction, stopping_signals.size()> previous_actions{};
 
 void add_one(int event) {
   const std::uint64_t one = 1;
@@ -50,13 +52,18 @@ StopOnSignal::StopOnSignal(std::shared_ptr<Signal> wake) : wake_(std::move(wake)
   action.sa_handler = on_signal;
   action.sa_flags = SA_RESTART;
   sigemptyset(&action.sa_mask);
-  sigaction(SIGINT, &action, &previous_interrupt);
-  sigaction(SIGTERM, &action, &previous_terminate);
+  for (std::size_t i = 0; i < stopping_signals.size(); ++i) {
+    sigaction(stopping_signals[i], &action, &previous_actions[i]);
+    // Started with nohup: it is to go on when its terminal has gone.
+    const bool ignored = stopping_signals[i] == SIGHUP && previous_actions[i].sa_handler == SIG_IGN;
+    if (ignored) sigaction(SIGHUP, &previous_actions[i], nullptr);
+  }
 }
 
 StopOnSignal::~StopOnSignal() {
-  sigaction(SIGINT, &previous_interrupt, nullptr);
-  sigaction(SIGTERM, &previous_terminate, nullptr);
+  for (std::size_t i = 0; i < stopping_signals.size(); ++i) {
+    sigaction(stopping_signals[i], &previous_actions[i], nullptr);
+  }
   closing_ = true;
   add_one(event_);
   thread_.join();

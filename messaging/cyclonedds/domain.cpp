@@ -1,0 +1,27 @@
+#include "messaging/cyclonedds/domain.hpp"
+
+#include "messaging/cyclonedds/configuration.hpp"
+#include "messaging/tuning.hpp"
+
+#include <atomic>
+#include <optional>
+#include <stdexcept>
+
+namespace lamprey::messaging::cyclonedds {
+
+Entity make_domain(const JoinOptions& options) {
+  const dds_entity_t first = dds_create_domain(options.domain, configuration(options, std::nullopt).c_str());
+  if (first != DDS_RETCODE_PRECONDITION_NOT_MET) return {first, "domain"};
+  static std::atomic<dds_domainid_t> next = highest_domain + 1;
+  return {dds_create_domain(next++, configuration(options, options.domain).c_str()), "domain"};
+}
+
+dds_domainid_t number_of(const Entity& domain) {
+  dds_domainid_t number = 0;
+  if (const auto code = dds_get_domainid(domain.get(), &number); code < 0) {
+    throw std::runtime_error(describe("cannot ask for the domain's number", code));
+  }
+  return number;
+}
+
+}  // namespace lamprey::messaging::cyclonedds
