@@ -16,7 +16,7 @@ constexpr std::size_t kept_text_bytes = 1 << 20;
 
 std::string insert_job_sql() {
   const std::string columns = job_columns();
-  const auto count = 2 + std::ranges::count(columns, ',');
+  const auto count = 2 + std::ranges::count(columns, ',');  // ended is one more
   std::string sql = "INSERT INTO job (" + columns + ", ended) VALUES (?";
   for (auto i = count; i > 1; --i) sql += ", ?";
   return sql + ")";
@@ -60,23 +60,49 @@ BatchWriter::BatchWriter(const Connection& connection, std::uint64_t epoch)
     : connection_(connection),
       epoch_(epoch),
       upsert_worker_(connection,
-                     "INSERT INTO worker VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?7) ON CONFLICT (worker) DO UPDATE SET "
-                     "host = ?2, process = ?3, threads = ?4, build = ?5, dds = ?6, last_seen = ?7"),
+                     "INSERT INTO worker (worker, host, process, threads, build, dds, flags, processor, "
+                     "instruction_set, labels, first_seen, last_seen) "
+                     "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?11) ON CONFLICT (worker) DO UPDATE SET "
+                     "host = ?2, process = ?3, threads = ?4, build = ?5, dds = ?6, flags = ?7, processor = ?8, "
+                     "instruction_set = ?9, labels = ?10, last_seen = ?11"),
       insert_job_(connection, insert_job_sql()),
       insert_divergence_(connection, "INSERT INTO divergence VALUES (NULL, ?, ?, ?, ?, ?, ?)"),
       insert_event_(connection, "INSERT INTO event VALUES (NULL, ?, ?, ?, ?, ?, ?, ?)"),
-      // Finished and cancelled are final.
+      insert_attempt_(connection, "INSERT INTO attempt VALUES (NULL, ?, ?, ?, ?, ?, ?, ?)"),
+      upsert_checkpoint_(connection,
+                         "INSERT INTO checkpoint SELECT ?1, ?2, ?3, ?4, ?5, ?6, ?7 "
+                         "WHERE NOT EXISTS (SELECT 1 FROM job WHERE sweep = ?1 AND job = ?2) "
+                         "ON CONFLICT (sweep, job) DO UPDATE SET "
+                         "at = ?3, worker = ?4, cycle = ?5, seconds = ?6, state = ?7"),
+      delete_checkpoint_(connection, "DELETE FROM checkpoint WHERE sweep = ? AND job = ?"),
+      insert_audited_(connection, "INSERT INTO audit_job VALUES (?, ?, ?, ?, ?, ?) ON CONFLICT DO NOTHING"),
+      // Whose sweep it counts for, and whether another audit has computed the same job before.
+      count_audited_(connection,
+                     "UPDATE audit SET agreed = agreed + ?3, diverged = diverged + NOT ?3 WHERE audit = ?1 "
+                     "RETURNING sweep, EXISTS (SELECT 1 FROM audit AS o JOIN audit_job AS j ON j.audit = o.audit "
+                     "WHERE o.sweep = audit.sweep AND o.audit <> ?1 AND j.job = ?2)"),
+      // Finished and cancelled are final, but for being deleted; a sweep that is being cancelled goes no other way.
       change_state_(connection,
-                    "UPDATE sweep SET state = ?2, ended = CASE WHEN ?2 IN ('finished', 'cancelled') THEN ?3 END "
-                    "WHERE sweep = ?1 AND state IN ('running', 'cancelling')"),
+                    "UPDATE sweep SET state = ?2, ended = CASE WHEN ?2 IN ('finished', 'cancelled') THEN ?3 "
+                    "WHEN ?2 = 'deleting' THEN ended END, "
+                    "reason = CASE WHEN ?4 IS NULL AND (state = ?2 OR ?2 IN ('cancelled', 'deleting')) THEN reason "
+                    "ELSE ?4 END WHERE sweep = ?1 AND CASE state WHEN 'running' THEN ?2 <> 'deleting' "
+                    "WHEN 'paused' THEN ?2 <> 'deleting' WHEN 'cancelling' THEN ?2 IN ('cancelling', 'cancelled') "
+                    "WHEN 'deleting' THEN 0 ELSE ?2 = 'deleting' END"),
       add_counts_(connection,
                   "UPDATE sweep SET done = done + ?2, failed = failed + ?3, quarantined = quarantined + ?4, "
-                  "cancelled = cancelled + ?5, divergences = divergences + ?6, "
+                  "cancelled = cancelled + ?5, divergences = divergences + ?6, reused = reused + ?8, "
+                  "audited = audited + ?9, "
                   "last_result = CASE WHEN ?2 + ?3 + ?4 + ?5 > 0 THEN ?7 ELSE last_result END WHERE sweep = ?1"),
       finish_(connection,
-              "UPDATE sweep SET state = CASE state WHEN 'cancelling' THEN 'cancelled' ELSE 'finished' END, ended = ?2 "
-              "WHERE sweep = ?1 AND state IN ('running', 'cancelling') "
-              "AND done + failed + quarantined + cancelled = jobs") {}
+              "UPDATE sweep SET state = CASE state WHEN 'cancelling' THEN 'cancelled' ELSE 'finished' END, ended = ?2, "
+              "reason = CASE state WHEN 'paused' THEN NULL ELSE reason END "
+              "WHERE sweep = ?1 AND state IN ('running', 'paused', 'cancelling') "
+              "AND done + failed + quarantined + cancelled = jobs"),
+      recordings_(connection) {
+  Statement stored(connection, "SELECT sweep, job FROM checkpoint");
+  while (stored.step()) checkpointed_.emplace(stored.integer(0), stored.bits(1));
+}
 
 void BatchWriter::write(const Batch& batch) {
   now_ = unix_milliseconds();
@@ -84,6 +110,10 @@ void BatchWriter::write(const Batch& batch) {
   Increases increases;
   for (const auto& job : batch.jobs) write(job, increases);
   for (const auto& divergence : batch.divergences) write(divergence, increases);
+  for (const auto& attempt : batch.attempts) write(attempt);
+  for (const auto& checkpoint : batch.checkpoints) write(checkpoint);
+  for (const auto& job : batch.audited) write(job, increases);
+  for (const auto& attempt : batch.recordings) recordings_.write(attempt, now_);
   for (const auto& event : batch.events) insert(event);
   for (const auto& change : batch.states) {
     write(change);
@@ -95,7 +125,9 @@ void BatchWriter::write(const Batch& batch) {
 void BatchWriter::write(const Worker& worker) {
   upsert_worker_
       .with(worker.incarnation, std::string_view(worker.host), worker.process, worker.threads,
-            std::string_view(worker.build), std::string_view(worker.dds), now_)
+            std::string_view(worker.build), std::string_view(worker.dds), std::string_view(worker.flags),
+            std::string_view(worker.processor), std::string_view(worker.instruction_set),
+            std::string_view(worker.labels), now_)
       .run();
 }
 
@@ -108,6 +140,7 @@ void BatchWriter::write(const EndedJob& job, Increases& increases) {
   if (job.outcome) {
     if (const auto fault = experiment::measures_fault(job.outcome->measures); !fault.empty()) refuse(fault);
   }
+  if (job.reused_from && job.state != JobState::done) refuse("it has no outcome that could be another job's");
 
   insert_job_.reset();  // a binding that failed would leave those before it
   int index = 0;
@@ -142,6 +175,12 @@ void BatchWriter::write(const EndedJob& job, Increases& increases) {
   } else {
     index += static_cast<int>(job_scores().size() * score_parts().size()) + 6;  // unbound is NULL
   }
+  const bool computed = job.worker != 0 && !job.reused_from;
+  for (const double seconds : {job.queue_seconds, job.waited_seconds, job.commit_seconds}) {
+    next(computed ? std::optional(seconds) : std::nullopt);
+  }
+  next(job.reused_from ? std::optional(job.reused_from->sweep) : std::nullopt);
+  next(job.reused_from ? std::optional(job.reused_from->job) : std::nullopt);
   next(now_);
   try {
     insert_job_.run();
@@ -152,7 +191,15 @@ void BatchWriter::write(const EndedJob& job, Increases& increases) {
   for (auto* text : {&trace_text_, &measures_text_}) {
     if (text->capacity() > kept_text_bytes) std::string().swap(*text);
   }
-  ++counter(increases[job.sweep].counts, job.state);
+  delete_checkpoint(job.sweep, job.job);
+  auto& increase = increases[job.sweep];
+  ++counter(increase.counts, job.state);
+  if (job.reused_from) ++increase.reused;
+}
+
+void BatchWriter::delete_checkpoint(std::int64_t sweep, std::uint64_t job) {
+  // Its number stays in the set: the transaction may yet be rolled back.
+  if (checkpointed_.contains({sweep, job})) delete_checkpoint_.with(sweep, job).run();
 }
 
 void BatchWriter::write(const Divergence& divergence, Increases& increases) {
@@ -161,6 +208,32 @@ void BatchWriter::write(const Divergence& divergence, Increases& increases) {
             std::span<const std::uint8_t>(divergence.other), unless_zero(divergence.worker))
       .run();
   ++increases[divergence.sweep].divergences;
+}
+
+void BatchWriter::write(const Attempt& attempt) {
+  insert_attempt_
+      .with(now_, attempt.sweep, attempt.job, unless_zero(attempt.worker), std::string_view(attempt.end),
+            attempt.counted, std::string_view(attempt.reason))
+      .run();
+}
+
+void BatchWriter::write(const Checkpoint& checkpoint) {
+  const std::span state(reinterpret_cast<const std::uint8_t*>(checkpoint.state.data()), checkpoint.state.size());
+  upsert_checkpoint_
+      .with(checkpoint.sweep, checkpoint.job, now_, unless_zero(checkpoint.worker), checkpoint.cycle,
+            checkpoint.seconds, state)
+      .run();
+  checkpointed_.emplace(checkpoint.sweep, checkpoint.job);
+}
+
+void BatchWriter::write(const AuditedJob& job, Increases& increases) {
+  insert_audited_
+      .with(job.audit, job.job, now_, unless_zero(job.worker), std::span<const std::uint8_t>(job.digest), job.agreed)
+      .run();
+  if (sqlite3_changes(connection_.handle()) == 0) return;  // the audit has it already
+  count_audited_.with(job.audit, job.job, job.agreed);
+  if (count_audited_.step() && count_audited_.integer(1) == 0) ++increases[count_audited_.integer(0)].audited;
+  count_audited_.run();
 }
 
 void BatchWriter::write(const Event& event) {
@@ -177,12 +250,14 @@ void BatchWriter::insert(const Event& event) {
 
 void BatchWriter::write(const Batch::StateChange& change) {
   const std::string state = to_text(change.state);
-  change_state_.with(change.sweep, std::string_view(state), now_).run();
+  change_state_.with(change.sweep, std::string_view(state), now_, unless_empty(change.reason)).run();
 }
 
 void BatchWriter::update_sweep(std::int64_t sweep, const Increase& increase) {
   const auto& counts = increase.counts;
-  add_counts_.with(sweep, counts.done, counts.failed, counts.quarantined, counts.cancelled, increase.divergences, now_)
+  add_counts_
+      .with(sweep, counts.done, counts.failed, counts.quarantined, counts.cancelled, increase.divergences, now_,
+            increase.reused, increase.audited)
       .run();
   finish_.with(sweep, now_).run();
 }

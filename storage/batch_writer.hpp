@@ -1,11 +1,14 @@
 #pragma once
 
+#include "storage/recording_writer.hpp"
 #include "storage/results_store.hpp"
 #include "storage/statement.hpp"
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
+#include <utility>
 
 namespace lamprey::storage {
 
@@ -23,6 +26,8 @@ class BatchWriter {
   struct Increase {
     JobCounts counts;
     std::uint64_t divergences = 0;
+    std::uint64_t reused = 0;
+    std::uint64_t audited = 0;
   };
   using Increases = std::map<std::int64_t, Increase>;
 
@@ -30,7 +35,11 @@ class BatchWriter {
   void write(const Worker& worker);
   void write(const EndedJob& job, Increases& increases);
   void write(const Divergence& divergence, Increases& increases);
+  void write(const Attempt& attempt);
+  void write(const Checkpoint& checkpoint);
+  void write(const AuditedJob& job, Increases& increases);
   void write(const Batch::StateChange& change);
+  void delete_checkpoint(std::int64_t sweep, std::uint64_t job);
   void update_sweep(std::int64_t sweep, const Increase& increase);
 
   const Connection& connection_;
@@ -40,9 +49,18 @@ class BatchWriter {
   Statement insert_job_;
   Statement insert_divergence_;
   Statement insert_event_;
+  Statement insert_attempt_;
+  Statement upsert_checkpoint_;
+  Statement delete_checkpoint_;
+  Statement insert_audited_;
+  Statement count_audited_;
   Statement change_state_;
   Statement add_counts_;
   Statement finish_;
+  RecordingWriter recordings_;
+  /// Jobs that may have a checkpoint: all that have one, and perhaps some that had. Most jobs never do, and are spared
+  /// the search for it.
+  std::set<std::pair<std::int64_t, std::uint64_t>> checkpointed_;
   std::string trace_text_;  ///< kept between jobs for its memory
   std::string measures_text_;
 };

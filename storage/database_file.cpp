@@ -23,15 +23,6 @@ namespace {
 
 using Kind = StorageError::Kind;
 
-std::string directory_of(const std::string& path) {
-  const auto parent = std::filesystem::path(path).parent_path();
-  return parent.empty() ? "." : parent.string();
-}
-
-[[noreturn]] void fail(const std::string& path, const char* doing) {
-  throw StorageError(Kind::input_output, path + ": " + doing + ": " + std::strerror(errno));
-}
-
 /// The header of an SQLite file: https://www.sqlite.org/fileformat2.html, section 1.3.
 struct Header {
   static constexpr std::size_t size = 100;
@@ -68,7 +59,8 @@ Header read_header(const std::string& path, const std::string& vfs_name) {
   const int opened = vfs->xOpen(vfs, name.get(), file, SQLITE_OPEN_READONLY | SQLITE_OPEN_MAIN_DB, nullptr);
   if (opened != SQLITE_OK) {
     if (file->pMethods != nullptr) file->pMethods->xClose(file);
-    throw StorageError(error_kind(opened), path + ": open: " + sqlite3_errstr(opened) + ": " + std::strerror(errno));
+    throw StorageError(error_kind(opened, errno),
+                       path + ": open: " + sqlite3_errstr(opened) + ": " + std::strerror(errno));
   }
   Header header;
   const int code = file->pMethods->xRead(file, header.bytes.data(), static_cast<int>(Header::size), 0);
@@ -80,36 +72,13 @@ Header read_header(const std::string& path, const std::string& vfs_name) {
   return header;
 }
 
-/// What a lost database leaves behind may hold results that were acknowledged: not ours to delete, and SQLite would
-/// take it for the new database's.
-void refuse_remains(const std::string& path) {
-  for (const char* suffix : {"-wal", "-journal"}) {
-    struct stat status {};
-    if (stat((path + suffix).c_str(), &status) == 0 && status.st_size > 0) {
-      throw StorageError(Kind::input_output,
-                         path + ": does not exist, but " + path + suffix +
-                             " does, which belongs to a database that was moved or removed: move it back or away");
-    }
-  }
-}
-
-void synchronize_directory(const std::string& directory) {
-  const int descriptor = open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) fail(directory, "open");
-  const int result = fsync(descriptor);
-  const int reason = errno;
-  close(descriptor);
-  errno = reason;
-  if (result != 0) fail(directory, "fsync");
-}
-
 [[noreturn]] void refuse_second(const std::string& path) {
   throw StorageError(Kind::in_use, path + ": another coordinator is using this database");
 }
 
 /// Fills the locked file at `path` with an empty database.
 void write_new_database(const std::string& path, const std::string& vfs) {
-  if (truncate(path.c_str(), 0) != 0) fail(path, "truncate");
+  if (truncate(path.c_str(), 0) != 0) throw_system_error(path, "truncate");
   for (const char* suffix : {"-wal", "-shm", "-journal"}) unlink((path + suffix).c_str());
   const Connection connection(path, SQLITE_OPEN_READWRITE, vfs);
   connection.execute("PRAGMA synchronous = FULL");
@@ -133,12 +102,38 @@ std::optional<ExclusiveLock> create(const std::string& path, const std::string& 
   }
   write_new_database(unfinished, vfs);
   lock->synchronize(unfinished);
-  if (rename(unfinished.c_str(), path.c_str()) != 0) fail(path, "rename");
+  if (rename(unfinished.c_str(), path.c_str()) != 0) throw_system_error(path, "rename");
   synchronize_directory(directory_of(path));
   return lock;
 }
 
 }  // namespace
+
+std::string directory_of(const std::string& path) {
+  const auto parent = std::filesystem::path(path).parent_path();
+  return parent.empty() ? "." : parent.string();
+}
+
+void refuse_remains(const std::string& path) {
+  for (const char* suffix : {"-wal", "-journal"}) {
+    struct stat status {};
+    if (stat((path + suffix).c_str(), &status) == 0 && status.st_size > 0) {
+      throw StorageError(Kind::input_output,
+                         path + ": does not exist, but " + path + suffix +
+                             " does, which belongs to a database that was moved or removed: move it back or away");
+    }
+  }
+}
+
+void synchronize_directory(const std::string& directory) {
+  const int descriptor = open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) throw_system_error(directory, "open");
+  const int result = fsync(descriptor);
+  const int reason = errno;
+  close(descriptor);
+  errno = reason;
+  if (result != 0) throw_system_error(directory, "fsync");
+}
 
 bool is_network_file_system(std::uint32_t type) {
   // linux/magic.h and statfs(2). FUSE isn't among them: most of its file systems are local.
@@ -161,7 +156,8 @@ bool is_network_file_system(std::uint32_t type) {
 
 void refuse_network_file_system(const std::string& path) {
   struct statfs status {};
-  if (statfs(path.c_str(), &status) != 0 && statfs(directory_of(path).c_str(), &status) != 0) fail(path, "statfs");
+  if (statfs(path.c_str(), &status) != 0 && statfs(directory_of(path).c_str(), &status) != 0)
+    throw_system_error(path, "statfs");
   if (is_network_file_system(static_cast<std::uint32_t>(status.f_type))) {
     throw StorageError(Kind::network_file_system,
                        path + ": on a network file system, where SQLite cannot lock reliably; use a local disk");
@@ -171,7 +167,7 @@ void refuse_network_file_system(const std::string& path) {
 FileContent inspect(const std::string& path, const std::string& vfs) {
   struct stat status {};
   if (stat(path.c_str(), &status) != 0) {
-    if (errno != ENOENT && errno != ENOTDIR) fail(path, "stat");
+    if (errno != ENOENT && errno != ENOTDIR) throw_system_error(path, "stat");
     const std::string directory = directory_of(path);
     if (stat(directory.c_str(), &status) != 0 || !S_ISDIR(status.st_mode)) {
       throw StorageError(Kind::missing, path + ": the directory " + directory + " does not exist");

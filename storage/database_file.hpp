@@ -18,6 +18,15 @@ enum class FileContent : std::uint8_t {
 /// another kind, another application's database; or if its directory doesn't exist.
 FileContent inspect(const std::string& path, const std::string& vfs);
 
+/// Throws StorageError if a log without its database is at `path`: it may hold results that were acknowledged, which
+/// are not ours to delete, and SQLite would take it for a new database's.
+void refuse_remains(const std::string& path);
+
+std::string directory_of(const std::string& path);
+
+/// Makes what has been created, renamed or removed in the directory durable. Throws StorageError.
+void synchronize_directory(const std::string& directory);
+
 /// Opens read-only the database that inspect() has found and checks what its header doesn't tell: throws newer_schema,
 /// not_a_database (tables missing), corrupt.
 Connection open_for_reading(const std::string& path, const std::string& vfs);

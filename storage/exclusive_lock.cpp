@@ -1,9 +1,8 @@
 #include "storage/exclusive_lock.hpp"
 
-#include "storage/results_store.hpp"
+#include "storage/connection.hpp"
 
 #include <cerrno>
-#include <cstring>
 #include <fcntl.h>
 #include <mutex>
 #include <set>
@@ -56,22 +55,18 @@ FileKey key_of(int descriptor) {
   return {status.st_dev, status.st_ino};
 }
 
-[[noreturn]] void fail(const std::string& path, const char* doing) {
-  throw StorageError(StorageError::Kind::input_output, path + ": " + doing + ": " + std::strerror(errno));
-}
-
 }  // namespace
 
 std::optional<ExclusiveLock> ExclusiveLock::try_lock(const std::string& path, bool create) {
   if (const auto file = key_of(path); file && locked_files().contains(*file)) return std::nullopt;
   const int descriptor = open(path.c_str(), O_RDWR | O_CLOEXEC | (create ? O_CREAT : 0), 0666);
-  if (descriptor < 0) fail(path, "open");
+  if (descriptor < 0) throw_system_error(path, "open");
   if (flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
     const int reason = errno;
     close(descriptor);
     errno = reason;
     if (reason == EWOULDBLOCK) return std::nullopt;
-    fail(path, "flock");
+    throw_system_error(path, "flock");
   }
   locked_files().add(key_of(descriptor));
   return ExclusiveLock(descriptor);
@@ -95,7 +90,7 @@ bool ExclusiveLock::is_of(const std::string& path) const {
 }
 
 void ExclusiveLock::synchronize(const std::string& path) const {
-  if (fsync(descriptor_) != 0) fail(path, "fsync");
+  if (fsync(descriptor_) != 0) throw_system_error(path, "fsync");
 }
 
 }  // namespace lamprey::storage

@@ -61,9 +61,9 @@ class RowReader {
   }
 
   /// Passes over columns that must all be NULL.
-  void nulls(int count) {
+  void nulls(int count, const char* fault = "a value is stored although the job is not done") {
     for (; count > 0; --count, ++column_) {
-      if (!row_.is_null(column_)) note("a value is stored although the job is not done");
+      if (!row_.is_null(column_)) note(fault);
     }
   }
 
@@ -114,6 +114,23 @@ void read_measures_column(RowReader& reader, experiment::Outcome& outcome) {
   reader.skip();
 }
 
+double read_seconds(RowReader& reader) {
+  return reader.null() ? 0 : reader.real();
+}
+
+/// Both columns hold a number, or neither does.
+std::optional<EndedJob::Source> read_source(RowReader& reader, JobState state) {
+  if (reader.null()) {
+    reader.nulls(1, "a value is stored although no sweep is");
+    return std::nullopt;
+  }
+  if (state != JobState::done) reader.note("a value is stored although the job is not done");
+  EndedJob::Source source;
+  source.sweep = static_cast<std::int64_t>(reader.whole());
+  source.job = reader.whole();
+  return source;
+}
+
 }  // namespace
 
 std::optional<JobState> job_state(std::string_view text) {
@@ -150,7 +167,11 @@ std::string job_columns(int version) {
     for (const auto& part : score_parts()) list += ", " + score.prefix + "_" + part.name;
   }
   list += ", cycles_run, accepted, successes, success_rate, trace";
-  return list + (version < first_version_with_measures ? ", NULL AS measures" : ", measures");
+  list += version < first_version_with_measures ? ", NULL AS measures" : ", measures";
+  for (const auto& column : columns_since_version_3("job")) {
+    list += (version < first_version_with_execution ? ", NULL AS " : ", ") + column.name;
+  }
+  return list;
 }
 
 StoredJobRow read_job_row(const Statement& row) {
@@ -180,6 +201,10 @@ StoredJobRow read_job_row(const Statement& row) {
   } else {
     reader.nulls(scores + outcome_columns_after_scores);
   }
+  job.queue_seconds = read_seconds(reader);
+  job.waited_seconds = read_seconds(reader);
+  job.commit_seconds = read_seconds(reader);
+  job.reused_from = read_source(reader, job.state);
   return stored;
 }
 

@@ -1,11 +1,10 @@
 #include "storage/results_store.hpp"
 
-#include "storage/batch_writer.hpp"
 #include "storage/database_file.hpp"
 #include "storage/job_row.hpp"
 #include "storage/migration.hpp"
 #include "storage/schema.hpp"
-#include "storage/statement.hpp"
+#include "storage/store_implementation.hpp"
 #include "storage/sweep_row.hpp"
 
 #include <filesystem>
@@ -35,7 +34,7 @@ Connection open_for_writing(const std::string& path, const std::string& vfs) {
       throw StorageError(Kind::other_science, path + ": holds outcomes of science version " + std::to_string(stored) +
                                                   ", this program computes those of " +
                                                   std::to_string(experiment::science_version) +
-                                                  ": use another database");
+                                                  ": use another database, or the Lamprey that wrote this one");
     }
   }
   Connection connection(path, SQLITE_OPEN_READWRITE, vfs);
@@ -50,14 +49,10 @@ Connection open_for_writing(const std::string& path, const std::string& vfs) {
   return connection;
 }
 
-/// What opening for writing changes.
-struct Opening {
-  std::uint64_t epoch = 0;
-  std::string migration;
-};
-
 /// Tables, views and parameters of this program, and the next epoch, in one transaction.
 Opening begin_epoch(const Connection& connection) {
+  std::optional<TablesMayBeRebuilt> rebuilding;
+  if (stored_schema_version(connection) < schema_version) rebuilding.emplace(connection);
   Transaction transaction(connection, Transaction::Mode::write);
   const std::string migration = bring_up_to_date(connection);
   Statement(connection, "UPDATE database SET epoch = epoch + 1, opened = ?").with(unix_milliseconds()).run();
@@ -69,39 +64,51 @@ Opening begin_epoch(const Connection& connection) {
   return {epoch, migration};
 }
 
+std::span<const std::uint8_t> bytes_of(const std::string& text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
+void insert_sweep(const Connection& connection, const NewSweep& sweep) {
+  const std::string id = experiment::to_hex(sweep.id);
+  const auto checksum = sweep_checksum(sweep, experiment::science_version);
+  Statement(connection,
+            "INSERT INTO sweep (id, name, state, specification, source, seed, replicates, jobs, science_version, "
+            "checksum, created, fresh, execution) VALUES (?, ?, 'running', ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+      .with(std::string_view(id), std::string_view(sweep.name), bytes_of(sweep.specification),
+            std::string_view(sweep.source), sweep.seed, sweep.replicates, sweep.jobs, experiment::science_version,
+            std::span<const std::uint8_t>(checksum), unix_milliseconds(), sweep.fresh, bytes_of(sweep.execution))
+      .run();
+}
+
 }  // namespace
 
-struct ResultsStore::Implementation {
-  Implementation(const std::string& database_path, const StoreOptions& options)
-      : path(database_path),
-        lock(lock_or_create(path, options.vfs)),
-        connection(open_for_writing(path, options.vfs)),
-        opening(begin_epoch(connection)),
-        database_id(read_database_row(connection).id),
-        writer(connection, opening.epoch),
-        find_job(connection, "SELECT state, digest, worker FROM job WHERE sweep = ? AND job = ?") {
-    // Instead of SQLite's own checkpoint after a commit: ours also waits for readers when it must.
-    sqlite3_wal_hook(connection.handle(), &Implementation::committed, this);
-  }
-
-  static int committed(void* self, sqlite3*, const char*, int pages) {
+ResultsStore::Implementation::Implementation(const std::string& database_path, const StoreOptions& options)
+    : path(database_path),
+      lock(lock_or_create(path, options.vfs)),
+      connection(open_for_writing(path, options.vfs)),
+      opening(begin_epoch(connection)),
+      database_id(read_database_row(connection).id),
+      writer(connection, opening.epoch),
+      find_job(connection, "SELECT state, digest, worker FROM job WHERE sweep = ? AND job = ?"),
+      read_job(connection, "SELECT " + job_columns() + " FROM job WHERE sweep = ? AND job = ?"),
+      next_wait_pages(patience_pages) {
+  // Instead of SQLite's own checkpoint after a commit: ours also waits for readers when it must.
+  const auto committed = [](void* self, sqlite3*, const char*, int pages) {
     static_cast<Implementation*>(self)->log_pages = pages;
     return SQLITE_OK;
+  };
+  sqlite3_wal_hook(connection.handle(), committed, this);
+}
+
+Sweep ResultsStore::Implementation::changeable_sweep(std::int64_t sweep) const {
+  const auto stored = find_sweep_by(connection, "sweep", sweep);
+  if (!stored)
+    throw StorageError(Kind::not_possible, path + ": there is no sweep with the key " + std::to_string(sweep));
+  if (stored->state == SweepState::deleting) {
+    throw StorageError(Kind::not_possible, path + ": the sweep '" + stored->what.name + "' is being deleted");
   }
-
-  void bound_log();
-
-  std::string path;
-  ExclusiveLock lock;  // before the connection: taken earlier, released later
-  Connection connection;
-  Opening opening;
-  experiment::Id128 database_id;
-  BatchWriter writer;
-  Statement find_job;
-  int log_pages = 0;
-  int next_wait_pages = patience_pages;
-  bool held_by_reader = false;
-};
+  return *stored;
+}
 
 /// What has been committed is durable in the log, so a checkpoint that fails is no failure of the commit: the log stays
 /// and grows, which log_size() tells, and the next commit tries again.
@@ -149,67 +156,19 @@ std::vector<Sweep> ResultsStore::sweeps() const {
 
 ResultsStore::Added ResultsStore::add_sweep(const NewSweep& sweep) {
   const auto& connection = implementation_->connection;
-  Transaction transaction(connection, Transaction::Mode::write);
   const std::string id = experiment::to_hex(sweep.id);
   if (auto existing = find_sweep_by(connection, "id", std::string_view(id))) return {std::move(*existing), true};
   if (const auto other = find_sweep_by(connection, "name", std::string_view(sweep.name))) {
     throw StorageError(Kind::name_taken, path() + ": another sweep has the name '" + sweep.name + "' (id " +
                                              experiment::to_hex(other->what.id) + "); give this one another name");
   }
-  const auto checksum = sweep_checksum(sweep, experiment::science_version);
-  const std::span specification(reinterpret_cast<const std::uint8_t*>(sweep.specification.data()),
-                                sweep.specification.size());
-  Statement(connection,
-            "INSERT INTO sweep (id, name, state, specification, source, seed, replicates, jobs, science_version, "
-            "checksum, created) VALUES (?, ?, 'running', ?, ?, ?, ?, ?, ?, ?, ?)")
-      .with(std::string_view(id), std::string_view(sweep.name), specification, std::string_view(sweep.source),
-            sweep.seed, sweep.replicates, sweep.jobs, experiment::science_version,
-            std::span<const std::uint8_t>(checksum), unix_milliseconds())
-      .run();
-  auto added = find_sweep_by(connection, "id", std::string_view(id));
-  implementation_->writer.write(
-      Event{"sweep_submitted", added->row, {}, 0, sweep.name + ": " + std::to_string(sweep.jobs) + " jobs"});
-  transaction.commit();
-  return {std::move(*added), false};
-}
-
-experiment::JobRanges ResultsStore::ended_jobs(std::int64_t sweep) const {
-  Statement numbers(implementation_->connection, "SELECT job FROM job WHERE sweep = ? ORDER BY job");
-  numbers.bind(1, sweep);
-  experiment::JobRanges ended;
-  std::uint64_t first = 0;
-  std::uint64_t count = 0;
-  while (numbers.step()) {
-    const std::uint64_t job = numbers.bits(0);
-    if (job != first + count) {
-      if (count > 0) ended.add(first, count);
-      first = job;
-      count = 0;
-    }
-    ++count;
-  }
-  if (count > 0) ended.add(first, count);
-  return ended;
-}
-
-std::optional<ResultsStore::StoredJob> ResultsStore::find_job(std::int64_t sweep, std::uint64_t job) const {
-  auto& find = implementation_->find_job;
-  find.with(sweep, job);
-  std::optional<StoredJob> found;
-  if (find.step()) {
-    found.emplace();
-    const auto state = job_state(find.text(0));
-    if (!state) {
-      const std::string text(find.text(0));
-      find.reset();
-      throw StorageError(Kind::corrupt, path() + ": no job has the state '" + text + "'");
-    }
-    found->state = *state;
-    found->digest = find.digest(1);
-    found->worker = find.bits(2);
-  }
-  find.reset();
-  return found;
+  return implementation_->write([&]() -> Added {
+    insert_sweep(connection, sweep);
+    auto added = find_sweep_by(connection, "id", std::string_view(id));
+    implementation_->writer.write(
+        Event{"sweep_submitted", added->row, {}, 0, sweep.name + ": " + std::to_string(sweep.jobs) + " jobs"});
+    return {std::move(*added), false};
+  });
 }
 
 std::optional<std::string> ResultsStore::build_of(std::uint64_t worker) const {
@@ -218,10 +177,10 @@ std::optional<std::string> ResultsStore::build_of(std::uint64_t worker) const {
 
 void ResultsStore::commit(const Batch& batch) {
   if (batch.empty()) return;
-  Transaction transaction(implementation_->connection, Transaction::Mode::write);
-  implementation_->writer.write(batch);
-  transaction.commit();
-  implementation_->bound_log();
+  implementation_->write([&] {
+    implementation_->writer.write(batch);
+    return true;
+  });
 }
 
 ResultsStore::LogSize ResultsStore::log_size() const {

@@ -11,8 +11,12 @@ namespace lamprey::storage {
 /// Version of the tables; PRAGMA user_version. Views are not part of it: they follow the parameter registry.
 ///   1  the first
 ///   2  job.measures
-inline constexpr int schema_version = 2;
+///   3  how sweeps are run and stopped, reuse, attempts, checkpoints, audits, and more about jobs and workers
+///   4  what robots recorded
+inline constexpr int schema_version = 4;
 inline constexpr int first_version_with_measures = 2;
+inline constexpr int first_version_with_execution = 3;
+inline constexpr int first_version_with_recordings = 4;
 
 /// PRAGMA application_id: "LMPR".
 inline constexpr std::uint32_t application_id = 0x4c4d5052;
@@ -33,11 +37,15 @@ struct SchemaObject {
 
 std::vector<SchemaObject> tables();
 
-/// The public contract: result, trace, measure, progress, one view per figure, and others that docs/formats/database.md
-/// describes. Their columns derive from the parameter registry.
+/// The public contract: result, trace, measure, progress, provenance, gap, one view per figure, and others that
+/// docs/formats/database.md describes. Their columns derive from the parameter registry.
 std::vector<SchemaObject> views();
 
 std::string table_sql(const SchemaObject& table);
+
+/// The columns of `table` that have come with schema version 3, as ALTER TABLE takes them; in order.
+std::vector<Column> columns_since_version_3(const std::string& table);
+
 std::string view_sql(const SchemaObject& view);
 
 /// Makes the tables of an empty database and its row of `database`. To be called in a transaction.

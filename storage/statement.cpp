@@ -1,12 +1,14 @@
 #include "storage/statement.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <string>
 
 namespace lamprey::storage {
 
 Statement::Statement(const Connection& connection, std::string_view sql) : connection_(&connection) {
   sqlite3_stmt* prepared = nullptr;
+  errno = 0;
   const int code = sqlite3_prepare_v3(connection.handle(), sql.data(), static_cast<int>(sql.size()),
                                       SQLITE_PREPARE_PERSISTENT, &prepared, nullptr);
   statement_.reset(prepared);
@@ -32,6 +34,7 @@ void Statement::bind(int index, std::span<const std::uint8_t> blob) {
 }
 
 bool Statement::step() {
+  errno = 0;
   const int code = sqlite3_step(statement_.get());
   if (code == SQLITE_ROW) return true;
   if (code == SQLITE_DONE) return false;
@@ -41,6 +44,7 @@ bool Statement::step() {
     connection_->fail(code, sqlite3_sql(statement_.get()));
   } catch (...) {
     reset();
+    connection_->forget_pages();
     throw;
   }
 }

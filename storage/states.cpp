@@ -6,7 +6,7 @@
 namespace lamprey::storage {
 
 std::string to_text(SweepState state) {
-  constexpr std::array<const char*, 4> names = {"running", "finished", "cancelling", "cancelled"};
+  constexpr std::array<const char*, 6> names = {"running", "paused", "finished", "cancelling", "cancelled", "deleting"};
   return names.at(static_cast<std::size_t>(state));
 }
 

@@ -7,7 +7,8 @@ namespace lamprey::storage {
 namespace {
 
 std::optional<SweepState> sweep_state(std::string_view text) {
-  for (const auto state : {SweepState::running, SweepState::finished, SweepState::cancelling, SweepState::cancelled}) {
+  for (const auto state : {SweepState::running, SweepState::paused, SweepState::finished, SweepState::cancelling,
+                           SweepState::cancelled, SweepState::deleting}) {
     if (to_text(state) == text) return state;
   }
   return std::nullopt;
@@ -15,9 +16,13 @@ std::optional<SweepState> sweep_state(std::string_view text) {
 
 }  // namespace
 
-std::string sweep_columns() {
-  return "sweep, id, name, specification, source, seed, replicates, jobs, science_version, state, "
-         "done, failed, quarantined, cancelled, divergences, created, ended";
+std::string sweep_columns(int version) {
+  const std::string columns =
+      "sweep, id, name, specification, source, seed, replicates, jobs, science_version, state, "
+      "done, failed, quarantined, cancelled, divergences, created, ended, ";
+  return columns + (version < first_version_with_execution ? "0 AS reused, 0 AS audited, 0 AS fresh, 0 AS archived, "
+                                                             "NULL AS reason, X'' AS execution"
+                                                           : "reused, audited, fresh, archived, reason, execution");
 }
 
 Sweep read_sweep_row(const Statement& row, const std::string& path) {
@@ -51,11 +56,19 @@ Sweep read_sweep_row(const Statement& row, const std::string& path) {
   sweep.divergences = row.bits(14);
   sweep.created_unix_milliseconds = row.integer(15);
   if (!row.is_null(16)) sweep.ended_unix_milliseconds = row.integer(16);
+  sweep.reused = row.bits(17);
+  sweep.audited = row.bits(18);
+  sweep.what.fresh = row.integer(19) != 0;
+  sweep.archived = row.integer(20) != 0;
+  sweep.reason = row.text(21);
+  const auto execution = row.blob(22);
+  sweep.what.execution.assign(execution.begin(), execution.end());
   return sweep;
 }
 
 std::vector<Sweep> read_sweeps(const Connection& connection) {
-  Statement all(connection, "SELECT " + sweep_columns() + " FROM sweep ORDER BY sweep");
+  Statement all(connection,
+                "SELECT " + sweep_columns(stored_schema_version(connection)) + " FROM sweep ORDER BY sweep");
   std::vector<Sweep> sweeps;
   while (all.step()) sweeps.push_back(read_sweep_row(all, connection.path()));
   return sweeps;
@@ -70,6 +83,10 @@ experiment::Digest sweep_checksum(const NewSweep& sweep, std::uint32_t science_v
   for (const std::uint64_t number :
        {sweep.seed, std::uint64_t{sweep.replicates}, sweep.jobs, std::uint64_t{science_version}}) {
     text += std::to_string(number) + '\n';
+  }
+  if (sweep.fresh) text += "fresh\n";
+  if (!sweep.execution.empty()) {
+    text += "execution\n" + std::to_string(sweep.execution.size()) + '\n' + sweep.execution + '\n';
   }
   return experiment::sha256(text);
 }

@@ -23,7 +23,8 @@ void refuse_other_science(const Connection& connection) {
   if (stored == experiment::science_version) return;
   throw StorageError(StorageError::Kind::other_science,
                      connection.path() + ": holds outcomes of science version " + std::to_string(stored) +
-                         ", this program can only check those of " + std::to_string(experiment::science_version));
+                         ", this program can only check those of " + std::to_string(experiment::science_version) +
+                         ": check it with the Lamprey that wrote it");
 }
 
 void verify_pages(const Connection& connection, std::vector<Discrepancy>& discrepancies) {
@@ -35,13 +36,16 @@ void verify_pages(const Connection& connection, std::vector<Discrepancy>& discre
   }
 }
 
-/// The text with each run of blanks and line ends as one blank: SQLite puts a column that is added later on the line of
-/// the one before.
+/// The text with each run of blanks and line ends as one blank, and none before a comma or parenthesis: SQLite puts a
+/// column that is added later on the line of the one before.
 std::string one_line(std::string_view text) {
   std::string line;
   for (const char c : text) {
     const bool blank = c == ' ' || c == '\n';
-    if (!blank || line.empty() || line.back() != ' ') line += blank ? ' ' : c;
+    const bool after_blank = !line.empty() && line.back() == ' ';
+    if (blank && after_blank) continue;
+    if ((c == ',' || c == ')') && after_blank) line.pop_back();
+    line += blank ? ' ' : c;
   }
   return line;
 }
@@ -63,24 +67,6 @@ void verify_schema(const Connection& connection, std::vector<Discrepancy>& discr
   }
 }
 
-/// Rows that no sweep's check would meet.
-void verify_references(const Connection& connection, std::vector<Discrepancy>& discrepancies) {
-  Statement strays(connection,
-                   "SELECT sweep, job FROM job WHERE sweep NOT IN (SELECT sweep FROM sweep) UNION ALL "
-                   "SELECT sweep, job FROM divergence WHERE sweep NOT IN (SELECT sweep FROM sweep)");
-  while (strays.step()) {
-    discrepancies.push_back(
-        {std::string(strays.text(0)), strays.bits(1), "sweep", "the row belongs to a sweep that does not exist"});
-  }
-  Statement divergences(connection,
-                        "SELECT s.name, d.job FROM divergence AS d JOIN sweep AS s ON s.sweep = d.sweep "
-                        "LEFT JOIN job AS j ON j.sweep = d.sweep AND j.job = d.job WHERE d.stored IS NOT j.digest");
-  while (divergences.step()) {
-    discrepancies.push_back({std::string(divergences.text(0)), divergences.bits(1), "divergence.stored",
-                             "it is not the digest of the stored job"});
-  }
-}
-
 class Verifier {
  public:
   Verifier(const Connection& connection, Verification& result, const std::function<void(std::uint64_t)>& progress)
@@ -90,6 +76,8 @@ class Verifier {
     verify_pages(connection_, result_.discrepancies);
     verify_schema(connection_, result_.discrepancies);
     verify_references(connection_, result_.discrepancies);
+    verify_audits(connection_, result_.discrepancies);
+    verify_recordings(connection_, result_.discrepancies);
     for (const auto& sweep : read_sweeps(connection_)) {
       const auto grid = verify_sweep(connection_, sweep, result_.discrepancies);
       verify_jobs(sweep, grid ? &*grid : nullptr);
@@ -100,10 +88,12 @@ class Verifier {
  private:
   void verify_jobs(const Sweep& sweep, const experiment::SweepGrid* grid) {
     Statement rows(connection_, "SELECT " + job_columns() + " FROM job WHERE sweep = ? ORDER BY job");
+    Statement sources(connection_, "SELECT identity, digest FROM job WHERE sweep = ? AND job = ?");
     rows.bind(1, sweep.row);
     while (rows.step()) {
       const auto stored = read_job_row(rows);
       verify_job(stored, sweep.what.name, grid, result_.discrepancies);
+      if (stored.job.reused_from) verify_source(stored.job, sweep.what.name, sources, result_.discrepancies);
       if (stored.job.outcome) result_.trace_rows += stored.job.outcome->trace.size();
       if (++result_.jobs % progress_rows == 0 && progress_) progress_(result_.jobs);
     }

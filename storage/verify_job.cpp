@@ -137,4 +137,22 @@ void verify_job(const StoredJobRow& stored, const std::string& sweep_name, const
   if (stored.malformed.empty()) check.outcome();
 }
 
+void verify_source(const EndedJob& job, const std::string& sweep_name, Statement& find,
+                   std::vector<Discrepancy>& discrepancies) {
+  const auto& source = *job.reused_from;
+  find.with(source.sweep, source.job);
+  if (find.step()) {
+    const auto check = [&](const char* column, const auto& stored, const auto& expected) {
+      if (stored == expected) return;
+      discrepancies.push_back({sweep_name, job.job, column,
+                               stored_and_expected(text_of(stored), text_of(expected)) + ", which job " +
+                                   std::to_string(source.job) + " of the sweep with the key " +
+                                   std::to_string(source.sweep) + " has, whose outcome this is"});
+    };
+    check("identity", job.identity, find.digest(0));
+    check("digest", job.digest, find.digest(1));
+  }
+  find.reset();
+}
+
 }  // namespace lamprey::storage

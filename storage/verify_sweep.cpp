@@ -29,7 +29,7 @@ class SweepCheck {
     try {
       experiment::SweepGrid grid(specification);
       equal("id", experiment::to_hex(sweep_.what.id), experiment::to_hex(experiment::sweep_id(specification)));
-      equal("name", sweep_.what.name, specification.name());
+      // The stored name may be a later one than the specification's; the checksum vouches for it.
       equal("seed", sweep_.what.seed, specification.seed());
       equal("replicates", sweep_.what.replicates, grid.replicates());
       equal("jobs", sweep_.what.jobs, grid.jobs());
@@ -45,8 +45,8 @@ class SweepCheck {
     read.bind(1, sweep_.row);
     const auto expected = sweep_checksum(sweep_.what, sweep_.science_version);
     if (!read.step() || read.digest(0) != expected) {
-      add("checksum",
-          "it is not that of specification, source and the other columns: expected " + experiment::to_hex(expected));
+      add("checksum", "it is not that of name, specification, source and the other columns: expected " +
+                          experiment::to_hex(expected));
     }
   }
 
@@ -54,10 +54,13 @@ class SweepCheck {
     JobCounts rows;
     Statement count(connection,
                     "SELECT count(*) FILTER (WHERE state = 'done'), count(*) FILTER (WHERE state = 'failed'), "
-                    "count(*) FILTER (WHERE state = 'quarantined'), count(*) FILTER (WHERE state = 'cancelled') "
-                    "FROM job WHERE sweep = ?");
+                    "count(*) FILTER (WHERE state = 'quarantined'), count(*) FILTER (WHERE state = 'cancelled'), "
+                    "count(reused_from_job) FROM job WHERE sweep = ?");
     count.bind(1, sweep_.row);
-    if (count.step()) rows = {count.bits(0), count.bits(1), count.bits(2), count.bits(3)};
+    if (count.step()) {
+      rows = {count.bits(0), count.bits(1), count.bits(2), count.bits(3)};
+      equal("reused", sweep_.reused, count.bits(4));
+    }
     equal("done", sweep_.counts.done, rows.done);
     equal("failed", sweep_.counts.failed, rows.failed);
     equal("quarantined", sweep_.counts.quarantined, rows.quarantined);
@@ -66,10 +69,16 @@ class SweepCheck {
     Statement divergences(connection, "SELECT count(*) FROM divergence WHERE sweep = ?");
     divergences.bind(1, sweep_.row);
     if (divergences.step()) equal("divergences", sweep_.divergences, divergences.bits(0));
+
+    if (sweep_.state == SweepState::deleting) return;  // its audits go first
+    Statement audited(connection, "SELECT count(DISTINCT job) FROM audit_job JOIN audit USING (audit) WHERE sweep = ?");
+    audited.bind(1, sweep_.row);
+    if (audited.step()) equal("audited", sweep_.audited, audited.bits(0));
   }
 
   void state() const {
-    const bool ended = sweep_.state == SweepState::finished || sweep_.state == SweepState::cancelled;
+    const bool ended = sweep_.state == SweepState::finished || sweep_.state == SweepState::cancelled ||
+                       sweep_.state == SweepState::deleting;
     if (ended != sweep_.ended_unix_milliseconds.has_value()) {
       add("ended", ended ? "nothing is stored although the sweep has ended" : "stored although the sweep goes on");
     }

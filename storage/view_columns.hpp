@@ -44,6 +44,21 @@ std::string measure_beside(std::string_view name);
 /// Views of what only some jobs tell: measure, recovery, gait_change, variation.
 std::vector<SchemaObject> measure_views();
 
+/// Views of what robots did, and of how far that is from simulation: recordings, motion, gap.
+std::vector<SchemaObject> robot_views();
+
+/// ` IN ('…', …)` of the values of the parameter `robot` that are no simulation.
+std::string real_robots();
+
+/// Unix time in milliseconds as ISO 8601.
+std::string utc_time(const std::string& milliseconds);
+
+/// The column `worker`: the key of that name in `row` as 16 hex digits.
+Column worker_key(const std::string& row, const std::string& description);
+
+/// Views of how sweeps are getting on and how it came about: progress, provenance, attempts, audits, history.
+std::vector<SchemaObject> history_views();
+
 /// Views that average the jobs of published figures, and the like by any other grouping.
 std::vector<SchemaObject> figure_views();
 

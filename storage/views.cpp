@@ -30,10 +30,11 @@ std::string condition_of(std::string_view parameter, const Models& models, exper
   return parameter_column(parameter).definition + " IN (" + names + ")";
 }
 
-/// The weaker of the network's and the trainer's, as experiment::repeatability has it.
+/// The weakest of the robot's, the network's and the trainer's, as experiment::repeatability has it.
 std::string repeatability_sql() {
   using experiment::Repeatability;
-  std::string sql = "CAST(CASE WHEN j.state <> 'done' THEN NULL";
+  std::string sql = "CAST(CASE WHEN j.state <> 'done' THEN NULL WHEN " + parameter_column("robot").definition +
+                    real_robots() + " THEN '" + std::string(to_text(Repeatability::physical)) + "'";
   for (const auto repeatability : {Repeatability::physical, Repeatability::same_build}) {
     for (const auto& condition : {condition_of("network", experiment::network_models(), repeatability),
                                   condition_of("trainer", experiment::trainer_models(), repeatability)}) {
@@ -74,7 +75,7 @@ SchemaObject result_view() {
   view.columns.push_back({"seconds", "j.seconds", "Time that its computation took; not deterministic"});
   view.columns.push_back({"repeatability", repeatability_sql(),
                           "bitwise: any machine computes the same bits again; same_build: only the same build does; "
-                          "NULL unless done"});
+                          "physical: a robot did it, and nothing does it again; NULL unless done"});
   return view;
 }
 
@@ -97,33 +98,6 @@ SchemaObject trace_view() {
       std::string(jobs_with_sweep) + " JOIN json_each(j.trace) AS t"};
 }
 
-SchemaObject progress_view() {
-  const std::string ended = "(done + failed + quarantined + cancelled)";
-  const std::string rate = "(1000.0 * " + ended + " / nullif(last_result - created, 0))";
-  return {
-      "progress",
-      "One row per sweep: how far it is.",
-      {
-          {"sweep", "name", "Name of the sweep"},
-          {"state", "state", "running, finished, cancelling or cancelled"},
-          {"jobs", "jobs", "Number of its jobs"},
-          {"pending", "CAST(jobs - " + ended + " AS INTEGER)", "Jobs that have not ended, leased ones included"},
-          {"done", "done", "Jobs that have an outcome"},
-          {"failed", "failed", "Jobs that ended without one"},
-          {"quarantined", "quarantined", "Jobs given up after a number of attempts"},
-          {"cancelled", "cancelled", "Jobs that were cancelled"},
-          {"divergences", "divergences", "Results that contradicted the stored ones"},
-          {"jobs_per_second", "CAST(" + rate + " AS REAL)",
-           "Ended jobs per second from submission to the latest result, pauses included; NULL before the first"},
-          {"seconds_left", "CAST((jobs - " + ended + ") / nullif(" + rate + ", 0) AS REAL)",
-           "Time that the pending jobs need at that rate; NULL if it isn't known"},
-          {"submitted", "strftime('%Y-%m-%dT%H:%M:%SZ', created / 1000, 'unixepoch')", "When it was submitted, UTC"},
-          {"ended", "strftime('%Y-%m-%dT%H:%M:%SZ', ended / 1000, 'unixepoch')",
-           "When it was finished or cancelled, UTC; NULL before"},
-      },
-      "FROM sweep"};
-}
-
 }  // namespace
 
 Column parameter_column(std::string_view parameter) {
@@ -137,8 +111,10 @@ Column parameter_column(std::string_view parameter) {
 }
 
 std::vector<SchemaObject> views() {
-  std::vector<SchemaObject> all = {result_view(), trace_view(), progress_view()};
+  std::vector<SchemaObject> all = {result_view(), trace_view()};
+  for (auto& view : history_views()) all.push_back(std::move(view));
   for (auto& view : measure_views()) all.push_back(std::move(view));
+  for (auto& view : robot_views()) all.push_back(std::move(view));
   for (auto& view : figure_views()) all.push_back(std::move(view));
   return all;
 }
