@@ -33,6 +33,12 @@ JobRanges to_job_ranges(const std::vector<messaging::JobRange>& ranges) {
   return jobs;
 }
 
+messaging::Lease drain_message() {
+  messaging::Lease message;
+  message.kind = messaging::LeaseKind::drain;
+  return message;
+}
+
 messaging::Lease revocation(std::uint64_t lease, const Id128& sweep, std::string reason) {
   messaging::Lease message;
   message.kind = messaging::LeaseKind::revoke;
@@ -45,52 +51,14 @@ messaging::Lease revocation(std::uint64_t lease, const Id128& sweep, std::string
 }  // namespace
 
 Ledger::Ledger(LedgerOptions options, Clock::time_point start, bool restarted, std::uint64_t first_lease)
-    : options_(options), grants_from_(restarted ? start + options.adoption_grace : start), next_lease_(first_lease) {}
-
-void Ledger::add_sweep(const Id128& sweep, std::uint64_t jobs, const JobRanges& ended) {
-  Sweep entry;
-  entry.pending = JobRanges(0, jobs);
-  entry.pending.remove(ended);
-  if (sweeps_.emplace(sweep, std::move(entry)).second) order_.push_back(sweep);
-}
-
-Ledger::Closed Ledger::close_sweep(const Id128& id) {
-  Closed closed;
-  const auto found = sweeps_.find(id);
-  if (found == sweeps_.end()) return closed;
-  closed.open_jobs = std::move(found->second.pending);
-  closed.open_jobs.add(found->second.leased);
-  for (const auto& part : found->second.suspects) closed.open_jobs.add(part);
-  for (auto it = leases_.begin(); it != leases_.end();) {
-    if (it->second.sweep != id) {
-      ++it;
-      continue;
-    }
-    auto message = revocation(it->first, id, "the sweep has ended");
-    message.origin.worker = it->second.worker;
-    closed.revocations.push_back(std::move(message));
-    forget(it++);
-  }
-  sweeps_.erase(found);
-  std::erase(order_, id);
-  return closed;
-}
-
-std::uint64_t Ledger::pending(const Id128& id) const {
-  const auto found = sweeps_.find(id);
-  if (found == sweeps_.end()) return 0;
-  std::uint64_t jobs = found->second.pending.size();
-  for (const auto& part : found->second.suspects) jobs += part.size();
-  return jobs;
-}
-
-std::uint64_t Ledger::leased(const Id128& id) const {
-  const auto found = sweeps_.find(id);
-  return found == sweeps_.end() ? 0 : found->second.leased.size();
-}
+    : options_(options),
+      now_(start),
+      grants_from_(restarted ? start + options.adoption_grace : start),
+      next_lease_(first_lease) {}
 
 Ledger::Heartbeat Ledger::heartbeat(const messaging::WorkerStatus& status, const Id128& database,
                                     Clock::time_point now) {
+  now_ = now;
   Heartbeat reaction;
   const std::uint64_t id = status.origin.worker;
   const auto known = workers_.find(id);
@@ -100,6 +68,7 @@ Ledger::Heartbeat Ledger::heartbeat(const messaging::WorkerStatus& status, const
     const auto leases = known->second.leases;
     for (const auto lease : leases) release(lease);
     workers_.erase(known);
+    draining_.erase(id);
     return reaction;
   }
   // An old heartbeat that DDS delivers late or twice says nothing about now.
@@ -108,6 +77,8 @@ Ledger::Heartbeat Ledger::heartbeat(const messaging::WorkerStatus& status, const
   Worker& worker = workers_[id];
   worker.status = status;
   worker.heard = now;
+  worker.draining = draining_.contains(id);
+  if (worker.draining && status.state == messaging::WorkerState::ready) reaction.send.push_back(drain_message());
 
   if (status.origin.science_version != experiment::science_version) {
     if (!std::exchange(worker.refused, true)) {
@@ -142,9 +113,12 @@ Ledger::Heartbeat Ledger::heartbeat(const messaging::WorkerStatus& status, const
 }
 
 void Ledger::adopt(Worker& worker, const messaging::HeldLease& held, Heartbeat& reaction, Clock::time_point now) {
-  const auto revoke = [&](const char* reason) { reaction.send.push_back(revocation(held.lease, held.sweep, reason)); };
+  const auto revoke = [&](const char* reason, bool interrupt = false) {
+    reaction.send.push_back(revocation(held.lease, held.sweep, reason));
+    reaction.send.back().interrupt = interrupt;
+  };
   const auto sweep = sweeps_.find(held.sweep);
-  if (sweep == sweeps_.end()) return revoke("the sweep is not running");
+  if (sweep == sweeps_.end() || sweep->second.paused) return revoke("the sweep is not running", true);
   if (leases_.contains(held.lease)) return revoke("the lease belongs to another worker");
   // Lease numbers grow with the epoch, so every lease that was ever granted has a lower one than the next.
   if (held.lease >= next_lease_) return revoke("no such lease was granted");
@@ -154,10 +128,15 @@ void Ledger::adopt(Worker& worker, const messaging::HeldLease& held, Heartbeat& 
     return revoke("its jobs have ended or are leased to others");
   }
   sweep->second.leased.add(free);
+  ++sweep->second.leases;
   reaction.adopted_jobs += free.size();
   const std::uint64_t id = worker.status.origin.worker;
   if (free.size() == 1) {
     // Thought dead with this job, and here it is, alive: that attempt was the network's.
+    if (const auto losses = sweep->second.losses.find(free.ranges().front().first);
+        losses != sweep->second.losses.end() && losses->second > 0) {
+      --losses->second;
+    }
     const auto attempts = sweep->second.attempts.find(free.ranges().front().first);
     if (attempts != sweep->second.attempts.end() && attempts->second.workers.erase(id) > 0) --attempts->second.count;
   }
@@ -165,6 +144,7 @@ void Ledger::adopt(Worker& worker, const messaging::HeldLease& held, Heartbeat& 
   lease.worker = id;
   lease.sweep = held.sweep;
   lease.remaining = free;
+  lease.granted = now;
   lease.renewed = now;
   lease.sent = now;
   leases_.emplace(held.lease, std::move(lease));
@@ -173,8 +153,12 @@ void Ledger::adopt(Worker& worker, const messaging::HeldLease& held, Heartbeat& 
 
 /// Takes those of the wanted jobs that are leased to nobody: pending ones, and parts of leases that were thought lost.
 JobRanges Ledger::take_free(Sweep& sweep, const JobRanges& wanted) {
-  JobRanges free = sweep.pending.intersection(wanted);
-  sweep.pending.remove(free);
+  JobRanges free;
+  for (auto* waiting : {&sweep.pending, &sweep.resumable}) {
+    const JobRanges shared = waiting->intersection(wanted);
+    waiting->remove(shared);
+    free.add(shared);
+  }
   for (auto part = sweep.suspects.begin(); part != sweep.suspects.end();) {
     const JobRanges shared = part->intersection(wanted);
     part->remove(shared);
@@ -207,12 +191,14 @@ void Ledger::repeat_unlisted(Worker& worker, const std::set<std::uint64_t>& list
       release(id);
     } else {
       lease.sent = now;
+      ++reaction.repeated_leases;
       reaction.send.push_back(grant_message(id, lease));
     }
   }
 }
 
 Ledger::Expired Ledger::expire(Clock::time_point now) {
+  now_ = now;
   Expired expired;
   for (auto it = workers_.begin(); it != workers_.end();) {
     if (now - it->second.heard <= options_.lease_duration) {
@@ -241,7 +227,7 @@ void Ledger::release(std::uint64_t id) {
   const auto found = leases_.find(id);
   Sweep& sweep = sweeps_.at(found->second.sweep);
   sweep.leased.remove(found->second.remaining);
-  sweep.pending.add(found->second.remaining);
+  put_back(sweep, found->second.remaining);
   forget(found);
 }
 
@@ -249,29 +235,47 @@ void Ledger::forget(std::map<std::uint64_t, Lease>::iterator lease) {
   Worker& worker = workers_.at(lease->second.worker);
   worker.leases.erase(lease->first);
   if (lease->second.exclusive) worker.exclusive = false;
+  if (const auto sweep = sweeps_.find(lease->second.sweep); sweep != sweeps_.end()) --sweep->second.leases;
   leases_.erase(lease);
 }
 
 /// The worker died with the lease, and one of its jobs may be why. The lease is cut into parts, again and again if need
-/// be; a part of one job is then given to a worker that holds nothing else, and only such a loss counts against the
-/// job.
+/// be. A job that was alone is leased as before once more, for most workers die of something else; then it is given to
+/// a worker that holds nothing else, and only such a loss counts against the job.
 void Ledger::lose(std::uint64_t id, const std::string& reason, Expired& expired) {
   const auto found = leases_.find(id);
   const Lease lease = found->second;
   expired.leases.push_back({id, lease.worker, lease.sweep, lease.remaining.size(), reason});
   Sweep& sweep = sweeps_.at(lease.sweep);
   JobRanges rest = lease.remaining;
-  if (lease.exclusive && rest.size() == 1 && was_running(lease)) {
-    const std::uint64_t job = rest.ranges().front().first;
-    if (auto quarantined = count_attempt(sweep, lease.sweep, job, lease.worker, reason)) {
-      expired.quarantined.push_back(std::move(*quarantined));
-      rest = {};
-    }
+  sweep.leased.remove(rest);
+  if (!sweep.authors.empty()) {
+    // An audited job has been done before: it is not why.
+    put_back(sweep, std::exchange(rest, {}));
+  } else if (rest.size() == 1) {
+    lose_single(lease, sweep, rest, reason, expired);
+  }
+  // Those with a checkpoint are leased alone.
+  for (const auto job : sweep.checkpointed) {
+    if (rest.take(job)) sweep.suspects.emplace_back(job, 1);
   }
   const std::uint64_t part = rest.size() / parts_of_a_lost_lease + 1;
   while (!rest.empty()) sweep.suspects.push_back(rest.take_lowest(part));
-  sweep.leased.remove(lease.remaining);
   forget(found);
+}
+
+/// Leaves in `rest` what is still suspected.
+void Ledger::lose_single(const Lease& lease, Sweep& sweep, JobRanges& rest, const std::string& reason,
+                         Expired& expired) {
+  const std::uint64_t job = rest.ranges().front().first;
+  if (!was_running(lease)) return;
+  ++sweep.losses[job];
+  expired.attempts.push_back({lease.sweep, job, lease.worker, "lost", lease.exclusive, reason});
+  if (!lease.exclusive) return;
+  if (auto quarantined = count_attempt(sweep, lease.sweep, job, lease.worker, reason)) {
+    expired.quarantined.push_back(std::move(*quarantined));
+    rest = {};
+  }
 }
 
 bool Ledger::was_running(const Lease& lease) const {
@@ -289,13 +293,33 @@ std::optional<QuarantinedJob> Ledger::count_attempt(Sweep& sweep, const Id128& i
                                                     std::uint64_t worker, const std::string& reason) {
   Attempts& attempts = sweep.attempts[job];
   if (attempts.workers.insert(worker).second) ++attempts.count;
-  if (attempts.count < options_.maximum_attempts) return std::nullopt;
+  if (attempts.count < maximum_attempts(sweep)) return std::nullopt;
   return QuarantinedJob{id, job, attempts.count, worker, reason};
+}
+
+std::optional<messaging::Lease> Ledger::drain(std::uint64_t id) {
+  const auto worker = workers_.find(id);
+  if (worker == workers_.end()) return std::nullopt;
+  draining_.insert(id);
+  worker->second.draining = true;
+  return drain_message();
+}
+
+void Ledger::remember_draining(const std::vector<std::uint64_t>& workers) {
+  draining_.insert(workers.begin(), workers.end());
+}
+
+double Ledger::queue_seconds(const Id128& id, std::uint64_t job, std::uint64_t hint) {
+  const auto sweep = sweeps_.find(id);
+  const auto lease = sweep == sweeps_.end() ? leases_.end() : lease_of(id, job, hint);
+  if (lease == leases_.end()) return 0;
+  return std::max(0.0, std::chrono::duration<double>(lease->second.granted - sweep->second.since).count());
 }
 
 std::vector<Ledger::WorkerView> Ledger::workers() const {
   std::vector<WorkerView> list;
-  for (const auto& [id, worker] : workers_) list.push_back({&worker.status, worker.leases.size()});
+  for (const auto& [id, worker] : workers_)
+    list.push_back({&worker.status, worker.leases.size(), worker.heard, worker.refused});
   return list;
 }
 
@@ -309,7 +333,7 @@ bool Ledger::is_open(const Id128& id, std::uint64_t job) const {
   const auto found = sweeps_.find(id);
   if (found == sweeps_.end()) return false;
   const Sweep& sweep = found->second;
-  return sweep.leased.contains(job) || sweep.pending.contains(job) ||
+  return sweep.leased.contains(job) || sweep.pending.contains(job) || sweep.resumable.contains(job) ||
          std::ranges::any_of(sweep.suspects, [job](const JobRanges& part) { return part.contains(job); });
 }
 
@@ -326,12 +350,14 @@ void Ledger::ended(const Id128& id, std::uint64_t job, std::uint64_t hint, doubl
   if (found == sweeps_.end()) return;
   Sweep& sweep = found->second;
   sweep.attempts.erase(job);
+  sweep.losses.erase(job);
+  sweep.checkpointed.erase(job);
   if (seconds >= 0 && std::isfinite(seconds)) {
     sweep.seconds_per_job =
         sweep.seconds_per_job ? *sweep.seconds_per_job + newest_weight * (seconds - *sweep.seconds_per_job) : seconds;
   }
   if (!sweep.leased.take(job)) {
-    if (!sweep.pending.take(job)) take_suspect(sweep, job);
+    if (!sweep.pending.take(job) && !sweep.resumable.take(job)) take_suspect(sweep, job);
     return;
   }
   const auto lease = lease_of(id, job, hint);
@@ -348,11 +374,13 @@ Ledger::Refused Ledger::refused(const Id128& id, std::uint64_t job, std::uint64_
   if (lease == leases_.end() || lease->second.worker != worker_id) return {};
   Refused reaction;
   Sweep& sweep = found->second;
+  reaction.attempt = FailedAttempt{id, job, worker_id, "refused", true, reason};
   reaction.quarantined = count_attempt(sweep, id, job, worker_id, reason);
   const Attempts attempts = sweep.attempts[job];
   ended(id, job, lease->first, -1);
   if (!reaction.quarantined) {
     sweep.attempts[job] = attempts;
+    sweep.losses[job] = losses_before_exclusive;
     sweep.suspects.emplace_back(job, 1);
   }
   Worker& worker = workers_.at(worker_id);

@@ -19,14 +19,27 @@ using experiment::Id128;
 using experiment::JobRanges;
 using Clock = std::chrono::steady_clock;
 
+/// A job that was alone in so many lost leases is next given to a worker that holds nothing else.
+inline constexpr int losses_before_exclusive = 2;
+
 struct LedgerOptions {
   Clock::duration lease_duration = std::chrono::seconds{5};          ///< since the last heartbeat that listed it
   Clock::duration lease_work = std::chrono::seconds{1};              ///< computation that one lease should amount to
   Clock::duration adoption_grace = std::chrono::milliseconds{1500};  ///< after a restart: first hear who holds what
-  std::uint32_t maximum_attempts = 3;
+  std::uint32_t default_attempts = 3;                                ///< where a sweep's policy names none
   std::uint64_t maximum_lease_jobs = 100'000;
   std::uint32_t maximum_window = 512;  ///< leases of one worker, whatever it asks for; as many as DDS keeps for it
   std::uint32_t maximum_refused_results = 10;  ///< of one worker's leases; then it gets no more
+};
+
+/// How a sweep's jobs are given out.
+struct SweepPolicy {
+  std::int32_t priority = 0;         ///< higher ones first; equal ones share
+  std::uint64_t max_concurrent = 0;  ///< jobs leased at once; 0: any number
+  double time_limit = 0;             ///< seconds; 0: any
+  std::uint32_t attempts = 0;        ///< before quarantine; 0: LedgerOptions::default_attempts
+  std::vector<std::string> needs{};  ///< labels that a worker must have
+  bool needs_robot = false;          ///< only for workers that hold a robot's claim, which compute nothing else
 };
 
 /// A job that has cost its workers their lives too often; it gets a row of its own instead of another lease.
@@ -35,6 +48,16 @@ struct QuarantinedJob {
   std::uint64_t job = 0;
   std::uint32_t attempts = 0;
   std::uint64_t worker = 0;
+  std::string reason;
+};
+
+/// A worker was lost with the job, or its result was refused.
+struct FailedAttempt {
+  Id128 sweep;
+  std::uint64_t job = 0;
+  std::uint64_t worker = 0;
+  std::string end;       ///< lost, refused
+  bool counted = false;  ///< towards quarantine
   std::string reason;
 };
 
@@ -53,7 +76,23 @@ class Ledger {
   Ledger(LedgerOptions options, Clock::time_point start, bool restarted, std::uint64_t first_lease);
 
   // ---- sweeps ----
-  void add_sweep(const Id128& sweep, std::uint64_t jobs, const JobRanges& ended);
+  void add_sweep(const Id128& sweep, JobRanges open_jobs, SweepPolicy policy);
+  /// The sweep's jobs are done and computed again to compare: each by another worker than its author.
+  void add_audit(const Id128& audit, std::map<std::uint64_t, JobRanges> jobs_by_author);
+  bool has_sweep(const Id128& sweep) const { return sweeps_.contains(sweep); }
+  void add_jobs(const Id128& sweep, const JobRanges& jobs);
+  void set_policy(const Id128& sweep, SweepPolicy policy);
+
+  /// Nothing of it is granted until it is resumed. Returns the leases to revoke; their jobs are pending again.
+  std::vector<messaging::Lease> pause(const Id128& sweep);
+  void resume(const Id128& sweep);
+
+  /// The job can go on where somebody has stopped: it is leased alone from now on.
+  void note_checkpoint(const Id128& sweep, std::uint64_t job);
+  bool has_checkpoint(const Id128& sweep, std::uint64_t job) const;
+
+  /// Counted attempts of before a restart.
+  void restore_attempts(const Id128& sweep, std::uint64_t job, const std::vector<std::uint64_t>& workers);
 
   /// Takes the sweep out: its jobs that have not ended, and the leases to revoke.
   struct Closed {
@@ -64,6 +103,9 @@ class Ledger {
 
   std::uint64_t pending(const Id128& sweep) const;
   std::uint64_t leased(const Id128& sweep) const;
+  bool is_leased(const Id128& sweep, std::uint64_t job) const;
+  /// Of an audit: pending jobs that none of the present workers but their author could take.
+  std::uint64_t waiting_for_another_worker(const Id128& audit) const;
 
   // ---- workers ----
   /// What a heartbeat leads to, each to be sent to the worker: repeated grants, revocations, a refusal, a welcome.
@@ -72,6 +114,7 @@ class Ledger {
     bool left = false;    ///< it says goodbye; its leases are pending again
     std::vector<messaging::Lease> send;
     std::uint64_t adopted_jobs = 0;
+    std::uint64_t repeated_leases = 0;
   };
   /// `status` is of this database's concern only in the leases that name it.
   Heartbeat heartbeat(const messaging::WorkerStatus& status, const Id128& database, Clock::time_point now);
@@ -80,11 +123,18 @@ class Ledger {
     std::vector<LostLease> leases;
     std::vector<std::uint64_t> workers;  ///< not heard of for a lease's duration
     std::vector<QuarantinedJob> quarantined;
+    std::vector<FailedAttempt> attempts;
   };
   Expired expire(Clock::time_point now);
 
   /// This program itself stood still for so long (a suspended machine): nobody was silent meanwhile.
   void forgive(Clock::duration pause);
+
+  /// The worker finishes what it holds, gets nothing more and is told to leave, again and again until it does.
+  /// The message to send now; nothing if no such worker is here.
+  std::optional<messaging::Lease> drain(std::uint64_t worker);
+  /// Workers that drain whenever they are heard of (they were told so before a restart).
+  void remember_draining(const std::vector<std::uint64_t>& workers);
 
   bool knows(std::uint64_t worker) const { return workers_.contains(worker); }
 
@@ -94,9 +144,12 @@ class Ledger {
   struct WorkerView {
     const messaging::WorkerStatus* status;
     std::size_t leases;
+    Clock::time_point heard;
+    bool refused = false;
   };
   std::vector<WorkerView> workers() const;
   std::size_t live_workers() const;
+  std::size_t leases() const { return leases_.size(); }
 
   // ---- leases ----
   struct Grant {
@@ -109,6 +162,8 @@ class Ledger {
   // ---- results ----
   /// Whether the job has neither a row nor been taken out: its result is wanted.
   bool is_open(const Id128& sweep, std::uint64_t job) const;
+  /// Seconds that the job was pending before the lease that it is in, or 0.
+  double queue_seconds(const Id128& sweep, std::uint64_t job, std::uint64_t lease);
   /// The job has a row now. `seconds` of computation teach the size of leases; negative: unknown.
   /// `lease`: under which the result came, if known.
   void ended(const Id128& sweep, std::uint64_t job, std::uint64_t lease, double seconds);
@@ -116,6 +171,7 @@ class Ledger {
   /// different workers' results of it as there are attempts. A worker with too many of them gets no more leases. Of
   /// any other worker it changes nothing: nobody can quarantine a job that was not given to him.
   struct Refused {
+    std::optional<FailedAttempt> attempt;
     std::optional<QuarantinedJob> quarantined;
     std::optional<messaging::Lease> farewell;  ///< to be sent to the worker, which is given up
   };
@@ -130,6 +186,7 @@ class Ledger {
     std::uint64_t sequence = 0;
     bool exclusive =
         false;  ///< a single suspect, given to a worker that holds nothing else: if it dies, it is the job's
+    Clock::time_point granted;
     Clock::time_point renewed;
     Clock::time_point sent;
     int unlisted_heartbeats = 0;
@@ -144,19 +201,36 @@ class Ledger {
     std::uint32_t refused_results = 0;
     bool refused = false;
     bool exclusive = false;  ///< holds an exclusive lease
+    bool draining = false;
   };
   struct Attempts {
     std::uint32_t count = 0;
     std::set<std::uint64_t> workers;  ///< that were lost, or refused, with it
   };
   struct Sweep {
+    SweepPolicy policy;
+    bool paused = false;
+    Clock::time_point since;  ///< when its jobs became pending
     JobRanges pending;
+    JobRanges resumable;  ///< pending too, but with a checkpoint: leased one by one, and first
     JobRanges leased;
     std::deque<JobRanges> suspects;  ///< parts of lost leases, each to be leased by itself; counted in no other set
+    std::set<std::uint64_t> checkpointed;  ///< of all these, jobs that have a checkpoint
+    std::map<std::uint64_t, int> losses;   ///< of jobs that were alone in a lost lease
     std::map<std::uint64_t, Attempts> attempts;
+    std::map<std::uint64_t, JobRanges> authors;  ///< of an audit
     std::optional<double> seconds_per_job;
+    std::size_t leases = 0;
   };
+  using Sweeps = std::map<Id128, Sweep>;
 
+  std::uint32_t maximum_attempts(const Sweep& sweep) const;
+  static void put_back(Sweep& sweep, const JobRanges& jobs);
+  static bool has_pending(const Sweep& sweep) { return !sweep.pending.empty() || !sweep.resumable.empty(); }
+  static JobRanges allowed(const Sweep& sweep, std::uint64_t worker);
+  static std::uint64_t room(const Sweep& sweep);
+  std::vector<messaging::Lease> take_leases_back(const Id128& sweep, const std::string& reason);
+  std::vector<Id128> grant_order() const;
   messaging::Lease grant_message(std::uint64_t id, const Lease& lease) const;
   void repeat_unlisted(Worker& worker, const std::set<std::uint64_t>& listed, Heartbeat& reaction,
                        Clock::time_point now);
@@ -165,10 +239,11 @@ class Ledger {
   void forget(std::map<std::uint64_t, Lease>::iterator lease);
   bool was_running(const Lease& lease) const;
   void lose(std::uint64_t id, const std::string& reason, Expired& expired);
+  void lose_single(const Lease& lease, Sweep& sweep, JobRanges& rest, const std::string& reason, Expired& expired);
   std::optional<QuarantinedJob> count_attempt(Sweep& sweep, const Id128& id, std::uint64_t job, std::uint64_t worker,
                                               const std::string& reason);
   bool may_take(const Worker& worker) const;
-  static bool serves(const Worker& worker, const Id128& sweep, Clock::time_point now);
+  static bool serves(const Worker& worker, const Id128& id, const Sweep& sweep, Clock::time_point now);
   bool grant_pending(std::uint64_t id, Worker& worker, std::vector<Grant>& grants, Clock::time_point now);
   bool grant_suspects(std::uint64_t id, Worker& worker, std::vector<Grant>& grants, Clock::time_point now);
   void give(std::uint64_t id, Worker& worker, const Id128& sweep, JobRanges jobs, bool exclusive,
@@ -181,12 +256,14 @@ class Ledger {
   std::uint64_t slots() const;
 
   LedgerOptions options_;
+  Clock::time_point now_;  ///< of the latest call that told it
   Clock::time_point grants_from_;
   std::uint64_t next_lease_;
-  std::map<Id128, Sweep> sweeps_;
+  Sweeps sweeps_;
   std::vector<Id128> order_;  ///< of submission
   std::map<std::uint64_t, Worker> workers_;
   std::map<std::uint64_t, Lease> leases_;
+  std::set<std::uint64_t> draining_;
 };
 
 }  // namespace lamprey::coordinator

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace lamprey::coordinator {
@@ -40,15 +41,50 @@ std::uint64_t Ledger::lease_jobs(const Sweep& sweep) const {
 }
 
 bool Ledger::may_take(const Worker& worker) const {
-  return !worker.refused && !worker.exclusive && worker.status.state == messaging::WorkerState::ready;
+  return !worker.refused && !worker.exclusive && !worker.draining &&
+         worker.status.state == messaging::WorkerState::ready;
 }
 
-bool Ledger::serves(const Worker& worker, const Id128& sweep, Clock::time_point now) {
-  const auto pause = worker.not_before.find(sweep);
+bool Ledger::serves(const Worker& worker, const Id128& id, const Sweep& sweep, Clock::time_point now) {
+  if (sweep.paused) return false;
+  const auto& labels = worker.status.labels;
+  const auto has = [&](const std::string& label) { return std::ranges::find(labels, label) != labels.end(); };
+  // A robot's worker takes nothing else, and nothing at all without its claim.
+  const bool of_a_robot = std::ranges::any_of(labels, [](const auto& label) { return label.starts_with("bridge="); });
+  if (of_a_robot != sweep.policy.needs_robot) return false;
+  if (of_a_robot && !has(std::string(messaging::robot_label))) return false;
+  if (!std::ranges::all_of(sweep.policy.needs, has)) return false;
+  const auto pause = worker.not_before.find(id);
   return pause == worker.not_before.end() || now >= pause->second;
 }
 
+/// How many more jobs of the sweep may be leased.
+std::uint64_t Ledger::room(const Sweep& sweep) {
+  const std::uint64_t most = sweep.policy.max_concurrent;
+  if (most == 0) return std::numeric_limits<std::uint64_t>::max();
+  return most - std::min(most, sweep.leased.size());
+}
+
+/// Pending jobs that the worker may compute: of an audit only others' jobs.
+JobRanges Ledger::allowed(const Sweep& sweep, std::uint64_t worker) {
+  JobRanges jobs = sweep.pending;
+  if (const auto own = sweep.authors.find(worker); own != sweep.authors.end()) jobs.remove(own->second);
+  return jobs;
+}
+
+/// Highest priority first; among equal ones whoever holds the fewest leases, which all last about as long; then in
+/// order of submission.
+std::vector<Id128> Ledger::grant_order() const {
+  std::vector<Id128> order = order_;
+  std::ranges::stable_sort(order, {}, [&](const Id128& id) {
+    const Sweep& sweep = sweeps_.at(id);
+    return std::pair(-std::int64_t{sweep.policy.priority}, sweep.leases);
+  });
+  return order;
+}
+
 std::vector<Ledger::Grant> Ledger::grant(Clock::time_point now) {
+  now_ = now;
   std::vector<Grant> grants;
   if (now < grants_from_) return grants;
   // One lease to each worker in turn, until every window is full or nothing is pending.
@@ -69,42 +105,60 @@ std::vector<Ledger::Grant> Ledger::grant(Clock::time_point now) {
 }
 
 bool Ledger::grant_pending(std::uint64_t id, Worker& worker, std::vector<Grant>& grants, Clock::time_point now) {
-  for (const auto& sweep_id : order_) {
+  for (const auto& sweep_id : grant_order()) {
     Sweep& sweep = sweeps_.at(sweep_id);
-    if (sweep.pending.empty() || !serves(worker, sweep_id, now)) continue;
-    give(id, worker, sweep_id, sweep.pending.take_lowest(lease_jobs(sweep)), false, grants, now);
+    if (!has_pending(sweep) || room(sweep) == 0 || !serves(worker, sweep_id, sweep, now)) continue;
+    JobRanges jobs;
+    if (!sweep.resumable.empty()) {
+      jobs = sweep.resumable.take_lowest(1);
+    } else if (sweep.authors.empty()) {
+      jobs = sweep.pending.take_lowest(std::min(lease_jobs(sweep), room(sweep)));
+    } else {
+      jobs = allowed(sweep, id).take_lowest(lease_jobs(sweep));
+      sweep.pending.remove(jobs);
+    }
+    if (jobs.empty()) continue;
+    give(id, worker, sweep_id, std::move(jobs), false, grants, now);
     return true;
   }
   return false;
 }
 
 bool Ledger::grant_suspects(std::uint64_t id, Worker& worker, std::vector<Grant>& grants, Clock::time_point now) {
-  for (const auto& sweep_id : order_) {
+  for (const auto& sweep_id : grant_order()) {
     Sweep& sweep = sweeps_.at(sweep_id);
-    if (!serves(worker, sweep_id, now)) continue;
+    if (sweep.suspects.empty() || room(sweep) == 0 || !serves(worker, sweep_id, sweep, now)) continue;
+    const auto exclusive = [&](const JobRanges& jobs) {
+      if (jobs.size() > 1) return false;
+      const auto losses = sweep.losses.find(jobs.ranges().front().first);
+      return losses != sweep.losses.end() && losses->second >= losses_before_exclusive;
+    };
     const auto part = std::ranges::find_if(
-        sweep.suspects, [&](const JobRanges& jobs) { return jobs.size() > 1 || worker.leases.empty(); });
+        sweep.suspects, [&](const JobRanges& jobs) { return worker.leases.empty() || !exclusive(jobs); });
     if (part == sweep.suspects.end()) continue;
-    JobRanges jobs = std::move(*part);
-    sweep.suspects.erase(part);
-    const bool exclusive = jobs.size() == 1;
-    give(id, worker, sweep_id, std::move(jobs), exclusive, grants, now);
+    const bool alone = exclusive(*part);
+    JobRanges jobs = part->take_lowest(room(sweep));
+    if (part->empty()) sweep.suspects.erase(part);
+    give(id, worker, sweep_id, std::move(jobs), alone, grants, now);
     return true;
   }
   return false;
 }
 
-void Ledger::give(std::uint64_t id, Worker& worker, const Id128& sweep, JobRanges jobs, bool exclusive,
+void Ledger::give(std::uint64_t id, Worker& worker, const Id128& sweep_id, JobRanges jobs, bool exclusive,
                   std::vector<Grant>& grants, Clock::time_point now) {
+  Sweep& sweep = sweeps_.at(sweep_id);
   Lease lease;
   lease.worker = id;
-  lease.sweep = sweep;
+  lease.sweep = sweep_id;
   lease.remaining = std::move(jobs);
   lease.sequence = worker.next_sequence++;
   lease.exclusive = exclusive;
+  lease.granted = now;
   lease.renewed = now;
   lease.sent = now;
-  sweeps_.at(sweep).leased.add(lease.remaining);
+  sweep.leased.add(lease.remaining);
+  ++sweep.leases;
   worker.exclusive = exclusive;
   const std::uint64_t number = next_lease_++;
   grants.push_back({id, grant_message(number, lease)});
@@ -119,6 +173,7 @@ messaging::Lease Ledger::grant_message(std::uint64_t id, const Lease& lease) con
   message.sequence = lease.sequence;
   message.sweep = lease.sweep;
   message.ranges = to_messages(lease.remaining);
+  message.time_limit = sweeps_.at(lease.sweep).policy.time_limit;
   message.duration_milliseconds = static_cast<std::uint32_t>(
       std::chrono::duration_cast<std::chrono::milliseconds>(options_.lease_duration).count());
   return message;

@@ -1,8 +1,10 @@
 #include "coordinator/coordinator.hpp"
+#include "messaging/names.hpp"
 #include "messaging/program/build_info.hpp"
 #include "messaging/program/exit_codes.hpp"
 #include "messaging/program/join_options.hpp"
 #include "messaging/program/logging.hpp"
+#include "messaging/program/stall_guard.hpp"
 #include "messaging/program/stop.hpp"
 
 #include <CLI/CLI.hpp>
@@ -23,6 +25,7 @@ constexpr auto longest_wait = std::chrono::milliseconds{25};
 
 struct Options {
   std::string database;
+  std::string bridge_isolation;  ///< where robots are; empty: where this coordinator is
   messaging::JoinOptions join;
   program::LoggingOptions logging;
 };
@@ -32,11 +35,15 @@ int serve(const Options& options) {
   auto signal = std::make_shared<messaging::Signal>();
   const program::StopOnSignal stop(signal);
   const auto participant = messaging::join(options.join);
+  const auto bridges = program::join_bridges(options.join, options.bridge_isolation);
   spdlog::info("{}, database {}, epoch {}, {} domain {}, isolation {}", program::build(), options.database,
                store.epoch(), participant->vendor(), options.join.domain, options.join.isolation);
-  coordinator::Coordinator coordinator(*participant, std::move(store), signal, {}, coordinator::Clock::now());
+  coordinator::Coordinator coordinator(*participant, std::move(store), signal, {}, coordinator::Clock::now(),
+                                       bridges.get());
+  program::StallGuard guard;
   while (!stop.requested()) {
     signal->wait_for(longest_wait);
+    guard.alive();
     coordinator.step(coordinator::Clock::now());
   }
   coordinator.finish(coordinator::Clock::now());
@@ -54,6 +61,13 @@ int main(int count, char** arguments) {
   app.add_option("--database", options.database, "Results database; made if it does not exist")
       ->required()
       ->type_name("FILE");
+  app.add_option("--bridge-isolation", options.bridge_isolation,
+                 "Where robots' bridges are, for the event log, if they are in another isolation")
+      ->check([](const std::string& name) {
+        return messaging::is_valid_isolation(name) ? "" : "'" + name + "' is not an isolation";
+      })
+      ->type_name("NAME");
+  options.join.introduction = program::introduction("coordinator");
   program::add_join_options(app, options.join);
   program::add_logging_options(app, options.logging);
   try {

@@ -1,6 +1,8 @@
 #include "coordinator/open_sweep.hpp"
 
+#include "experiment/checkpoint.hpp"
 #include "experiment/job.hpp"
+#include "experiment/models.hpp"
 
 #include <array>
 #include <cmath>
@@ -47,6 +49,11 @@ std::string outcome_fault(const experiment::Outcome& outcome, std::int64_t cycle
   return experiment::measures_fault(outcome.measures);
 }
 
+/// Of a clock that is not ours.
+double sane_seconds(double seconds) {
+  return std::isfinite(seconds) && seconds >= 0 ? seconds : 0;
+}
+
 storage::EndedJob head(const OpenSweep& sweep, const experiment::Job& job) {
   storage::EndedJob row;
   row.sweep = sweep.stored.row;
@@ -81,7 +88,8 @@ Judgement judge(const OpenSweep& sweep, const messaging::Origin& origin, const m
   storage::EndedJob row = head(sweep, job);
   if (result.identity != row.identity) return refuse("its identity is not that of the job");
   row.worker = origin.worker;
-  row.seconds = std::isfinite(result.seconds) && result.seconds >= 0 ? result.seconds : 0;
+  row.seconds = sane_seconds(result.seconds);
+  row.waited_seconds = sane_seconds(result.waited);
   if (result.kind == messaging::ResultKind::failed) {
     row.state = storage::JobState::failed;
     row.reason = result.reason;
@@ -97,6 +105,47 @@ Judgement judge(const OpenSweep& sweep, const messaging::Origin& origin, const m
   row.digest = result.digest;
   row.outcome = result.outcome;
   return {std::move(row), {}};
+}
+
+JudgedRecording judge_recording(const experiment::Job& job, std::int64_t sweep, const messaging::Origin& origin,
+                                const messaging::JobResult& result, bool accepted) {
+  if (!experiment::on_a_robot(job.parameters)) return {std::nullopt, "the job is not on a robot"};
+  if (result.identity != experiment::identity(job)) return {std::nullopt, "its result's identity is not the job's"};
+  auto parsed = storage::parse_recording(result.recording);
+  if (!parsed.recording) return {std::nullopt, std::move(parsed.refusal)};
+  const bool done = result.kind == messaging::ResultKind::done;
+  return {storage::RecordedAttempt{.sweep = sweep,
+                                   .job = job.number,
+                                   .worker = origin.worker,
+                                   .state = done ? storage::JobState::done : storage::JobState::failed,
+                                   .accepted = accepted,
+                                   .recording = std::move(*parsed.recording)},
+          {}};
+}
+
+SweepPolicy policy_of(const idl::Execution& execution, const experiment::SweepGrid& grid) {
+  return {.priority = execution.priority(),
+          .max_concurrent = execution.max_concurrent(),
+          .time_limit = execution.time_limit(),
+          // Who wants to fail fast wants no second chances either.
+          .attempts = execution.fail_fast() ? 1 : execution.attempts(),
+          .needs = {execution.needs().begin(), execution.needs().end()},
+          .needs_robot = grid.asks_for_robot()};
+}
+
+std::string checkpoint_fault(const OpenSweep& sweep, const messaging::Checkpoint& checkpoint) {
+  if (checkpoint.origin.science_version != sweep.stored.science_version) return "of another science version";
+  if (checkpoint.job >= sweep.stored.what.jobs) return "of no job of the sweep";
+  const experiment::Job job = sweep.grid->job(checkpoint.job);
+  try {
+    const auto head = experiment::read_checkpoint_head(checkpoint.state);
+    if (head.identity != experiment::identity(job)) return "of another job";
+    if (head.cycle > job.parameters.integer("cycles")) return "beyond the job's last cycle";
+    if (head.cycle != checkpoint.cycle) return "its cycle is not that of its state";
+  } catch (const experiment::CheckpointError& error) {
+    return error.what();
+  }
+  return {};
 }
 
 storage::EndedJob quarantined_row(const OpenSweep& sweep, std::uint64_t job, std::uint32_t attempts,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "coordinator/ledger.hpp"
+#include "coordinator/reuse_scan.hpp"
 #include "experiment/job_ranges.hpp"
 #include "experiment/sweep.hpp"
 #include "messaging/samples.hpp"
@@ -25,10 +27,12 @@ class EndRate {
   std::deque<std::pair<Clock::time_point, std::uint64_t>> history_;
 };
 
-/// A sweep that is running or being cancelled, as the coordinator holds it in memory.
+/// A sweep that has not ended, as the coordinator holds it in memory.
 struct OpenSweep {
   storage::Sweep stored;  ///< counters as of the last commit
   std::shared_ptr<const experiment::SweepGrid> grid;
+  idl::Execution execution;
+  std::optional<ReuseScan> reuse;   ///< while it is looked for outcomes that exist
   experiment::JobRanges to_cancel;  ///< jobs that still need their `cancelled` row
   EndRate rate;
 };
@@ -41,6 +45,21 @@ struct Judgement {
   std::string refusal;
 };
 Judgement judge(const OpenSweep& sweep, const messaging::Origin& origin, const messaging::JobResult& result);
+
+/// What a robot recorded in the attempt whose end the result is, checked; or why it is not kept. `sweep`: its key in
+/// the database. `accepted`: the job's row is this result's.
+struct JudgedRecording {
+  std::optional<storage::RecordedAttempt> attempt;
+  std::string refusal;
+};
+JudgedRecording judge_recording(const experiment::Job& job, std::int64_t sweep, const messaging::Origin& origin,
+                                const messaging::JobResult& result, bool accepted);
+
+/// How the sweep's jobs are to be given out.
+SweepPolicy policy_of(const idl::Execution& execution, const experiment::SweepGrid& grid);
+
+/// Why the checkpoint is not one of a job of the sweep; empty if it is.
+std::string checkpoint_fault(const OpenSweep& sweep, const messaging::Checkpoint& checkpoint);
 
 /// The row of a job that was given up.
 storage::EndedJob quarantined_row(const OpenSweep& sweep, std::uint64_t job, std::uint32_t attempts,
