@@ -3,6 +3,7 @@
 #include "experiment/sweep.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace lamprey::worker {
 
@@ -25,6 +26,8 @@ bool LeaseBook::grant(const messaging::Lease& message) {
     lease.remaining.add(range.first, range.count);
   }
   if (lease.remaining.empty()) return false;
+  if (std::isfinite(message.time_limit) && message.time_limit > 0) lease.time_limit = message.time_limit;
+  if (lease.remaining.size() == 1) lease.checkpoint = message.checkpoint;
   lease.not_started = lease.remaining;
   leases_.emplace(key, std::move(lease));
   return true;

@@ -39,6 +39,8 @@ class LeaseBook {
     Key lease;
     Id128 sweep;
     std::uint64_t job = 0;
+    double time_limit = 0;                 ///< seconds; 0: any
+    std::vector<std::uint8_t> checkpoint;  ///< where it goes on; empty: from its beginning
   };
   template <class CanStart>
   std::vector<Start> start(std::size_t most, CanStart can_start);
@@ -59,6 +61,8 @@ class LeaseBook {
     Id128 sweep;
     JobRanges remaining;    ///< without a terminal answer
     JobRanges not_started;  ///< part of remaining
+    double time_limit = 0;
+    std::vector<std::uint8_t> checkpoint;  ///< of a single job
   };
   void remember(const Key& key);
   std::vector<std::map<Key, Lease>::iterator> by_arrival();
@@ -78,7 +82,7 @@ std::vector<LeaseBook::Start> LeaseBook::start(std::size_t most, CanStart can_st
     if (lease.not_started.empty() || !can_start(key.first, lease.sweep)) continue;
     for (const auto& range : lease.not_started.take_lowest(most - starts.size()).ranges()) {
       for (std::uint64_t job = range.first; job < range.first + range.count; ++job) {
-        starts.push_back({key, lease.sweep, job});
+        starts.push_back({key, lease.sweep, job, lease.time_limit, std::exchange(lease.checkpoint, {})});
       }
     }
   }

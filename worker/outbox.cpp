@@ -56,6 +56,7 @@ std::vector<messaging::ResultBatch> Outbox::due(Clock::time_point now, bool flus
     std::size_t& in_flight = in_flight_bytes_[key.database];
     if (first && in_flight > 0 && in_flight + held.bytes > options_.most_bytes_in_flight) continue;
     if (first) in_flight += held.bytes;
+    if (!first) ++sent_again_;
     held.next = now + patience(held.sendings++);
     if (held.bytes <= messaging::maximum_sample_bytes) {
       place(key, held.result, held.bytes);

@@ -46,6 +46,8 @@ class Outbox {
   bool holds(const Id128& database, const Id128& sweep, std::uint64_t job) const;
 
   std::size_t held() const { return results_.size(); }
+  /// How many results were due again for want of an answer, each time it happened.
+  std::uint64_t sent_again() const { return sent_again_; }
   std::size_t held_bytes() const { return held_bytes_; }
   bool full() const { return held_bytes_ >= options_.most_bytes; }
 
@@ -68,6 +70,7 @@ class Outbox {
   OutboxOptions options_;
   std::map<Key, Held> results_;
   std::size_t held_bytes_ = 0;
+  std::uint64_t sent_again_ = 0;
   std::map<Id128, std::size_t> in_flight_bytes_;  ///< by database: one that is away must not hold up the others
 };
 

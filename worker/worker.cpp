@@ -37,7 +37,8 @@ messaging::JobResult to_message(const Task& task, experiment::BatchResult comput
 
 Worker::Worker(messaging::Participant& participant, JobExecutor& executor, std::shared_ptr<messaging::Signal> signal,
                WorkerOptions options, Clock::time_point now)
-    : executor_(executor),
+    : participant_(participant),
+      executor_(executor),
       options_(std::move(options)),
       vendor_(participant.vendor()),
       specifications_(participant.reader<messaging::SweepSpecification>(signal)),
@@ -46,6 +47,7 @@ Worker::Worker(messaging::Participant& participant, JobExecutor& executor, std::
           participant.reader<messaging::ResultAcknowledgement>(signal, messaging::Partition::of(options_.incarnation))),
       status_(participant.writer<messaging::WorkerStatus>()),
       results_(participant.writer<messaging::ResultBatch>()),
+      checkpoints_(participant.writer<messaging::Checkpoint>()),
       outbox_(options_.outbox),
       status_due_(now) {}
 
@@ -54,7 +56,12 @@ void Worker::step(Clock::time_point now) {
   take_leases();
   take_acknowledgements();
   take_finished(now);
+  send_checkpoints();
   choose_jobs();
+  if (auto offered = executor_.labels(); offered != offered_) {
+    offered_ = std::move(offered);
+    status_changed_ = true;
+  }
   // Before they start: if a job ends this process at once, the coordinator has heard what was running.
   send_status(now);
   start_jobs();
@@ -108,6 +115,7 @@ void Worker::take_specifications() {
 
 void Worker::cannot_compute(const messaging::SweepSpecification& sample, const std::string& reason) {
   const auto key = std::pair(sample.origin.database, sample.sweep);
+  ++counters_.specifications_refused;
   book_.forget_sweep(key.first, key.second);
   status_changed_ = true;
   if (unusable_.size() < most_sweeps && unusable_.insert(key).second) {
@@ -117,57 +125,121 @@ void Worker::cannot_compute(const messaging::SweepSpecification& sample, const s
 
 void Worker::take_leases() {
   for (const auto& lease : leases_->take()) {
-    if (!current(lease.origin)) continue;
+    // A partition is a name, not a lock: whatever else is in it is nothing to obey.
+    if (lease.origin.worker != options_.incarnation || !current(lease.origin)) {
+      ++counters_.leases_ignored;
+      continue;
+    }
     auto& coordinator = coordinators_[lease.origin.database];
     coordinator.last_lease_sequence = std::max(coordinator.last_lease_sequence, lease.sequence);
-    switch (lease.kind) {
-      case messaging::LeaseKind::welcome:
-        spdlog::info("connected to a coordinator, epoch {}", lease.origin.epoch);
-        break;
-      case messaging::LeaseKind::refuse:
-        spdlog::error("the coordinator gives this worker no work: {}", lease.reason);
-        break;
-      case messaging::LeaseKind::revoke: {
-        const LeaseBook::Key key{lease.origin.database, lease.lease};
-        executor_.drop(key.first, key.second);
-        if (book_.revoke(key)) spdlog::info("lease {:x} is revoked: {}", lease.lease, lease.reason);
+    take_lease(lease);
+  }
+}
+
+void Worker::take_lease(const messaging::Lease& lease) {
+  switch (lease.kind) {
+    case messaging::LeaseKind::welcome:
+      spdlog::info("connected to a coordinator, epoch {}", lease.origin.epoch);
+      break;
+    case messaging::LeaseKind::refuse:
+      spdlog::error("the coordinator gives this worker no work: {}", lease.reason);
+      break;
+    case messaging::LeaseKind::drain:
+      if (!std::exchange(draining_, true)) {
+        spdlog::info("told to drain: finishes the {} leases that it holds, then leaves", book_.size());
         status_changed_ = true;
-        break;
       }
-      case messaging::LeaseKind::grant:
-        if (!leaving_ && lease.origin.science_version == experiment::science_version &&
-            !unusable_.contains({lease.origin.database, lease.sweep}) && book_.grant(lease)) {
-          status_changed_ = true;
-        }
-        break;
+      break;
+    case messaging::LeaseKind::revoke:
+      revoke(lease);
+      break;
+    case messaging::LeaseKind::grant: {
+      const bool usable = !leaving_ && lease.origin.science_version == experiment::science_version &&
+                          !unusable_.contains({lease.origin.database, lease.sweep});
+      const bool taken = usable && book_.grant(lease);
+      ++(taken ? counters_.leases_taken : counters_.leases_ignored);
+      status_changed_ = status_changed_ || taken;
+      break;
     }
   }
 }
 
+void Worker::revoke(const messaging::Lease& lease) {
+  const LeaseBook::Key key{lease.origin.database, lease.lease};
+  if (lease.interrupt) {
+    executor_.interrupt(key.first, key.second);
+  } else {
+    executor_.drop(key.first, key.second);
+  }
+  status_changed_ = true;
+  if (!book_.revoke(key)) return;
+  ++counters_.leases_revoked;
+  spdlog::info("lease {:x} is revoked: {}", lease.lease, lease.reason);
+}
+
 void Worker::take_acknowledgements() {
   for (const auto& sample : acknowledgements_->take()) {
-    if (!current(sample.origin)) continue;
+    if (sample.origin.worker != options_.incarnation || !current(sample.origin)) continue;
     for (const auto& answer : sample.results) {
       if (!outbox_.acknowledge(sample.origin.database, answer)) continue;
       const std::size_t leases = book_.size();
       book_.settled(sample.origin.database, answer.sweep, answer.job);
       status_changed_ = status_changed_ || book_.size() != leases;
-      // The coordinator, which knows the whole story, has logged it at the level that it deserves.
-      if (answer.verdict == messaging::Verdict::refused) {
-        spdlog::info("the result of job {} is refused: {}", answer.job, answer.reason);
-      } else if (answer.verdict == messaging::Verdict::divergent) {
-        spdlog::error("the result of job {} is divergent: {}", answer.job, answer.reason);
-      }
+      note(answer);
     }
+  }
+}
+
+/// The coordinator, which knows the whole story, has logged it at the level that it deserves.
+void Worker::note(const messaging::Acknowledgement& answer) {
+  switch (answer.verdict) {
+    case messaging::Verdict::committed:
+      spdlog::debug("acknowledged: sweep {} job {} committed", experiment::to_hex(answer.sweep), answer.job);
+      break;
+    case messaging::Verdict::duplicate:
+      ++counters_.results_duplicate;
+      break;
+    case messaging::Verdict::refused:
+      ++counters_.results_refused;
+      spdlog::info("the result of job {} is refused: {}", answer.job, answer.reason);
+      break;
+    case messaging::Verdict::divergent:
+      ++counters_.results_divergent;
+      spdlog::error("the result of job {} is divergent: {}", answer.job, answer.reason);
+      break;
+  }
+}
+
+void Worker::send_checkpoints() {
+  for (auto& checkpoint : executor_.take_checkpoints()) send_checkpoint(std::move(checkpoint));
+}
+
+/// One that is lost costs the computation since the one before, no more.
+void Worker::send_checkpoint(messaging::Checkpoint checkpoint) {
+  const Id128 database = checkpoint.origin.database;
+  checkpoint.origin = {database, coordinators_[database].epoch, options_.incarnation, experiment::science_version};
+  if (const auto written = checkpoints_->write(checkpoint)) {
+    ++counters_.checkpoints_sent;
+  } else {
+    spdlog::debug("the checkpoint of job {} was not sent: {}", checkpoint.job, written.error);
   }
 }
 
 void Worker::take_finished(Clock::time_point now) {
   for (auto& finished : executor_.take_finished()) {
-    if (std::holds_alternative<experiment::Interrupted>(finished.result.result)) continue;
+    if (finished.checkpoint) send_checkpoint(std::move(*finished.checkpoint));
+    if (std::holds_alternative<experiment::Interrupted>(finished.result.result)) {
+      // Given back, or its lease is gone already: what no longer is in the heartbeat is leased to others.
+      book_.revoke({finished.task.database, finished.task.lease});
+      continue;
+    }
     ++jobs_done_;
-    outbox_.add(finished.task.database, finished.task.sweep, to_message(finished.task, std::move(finished.result)),
-                now);
+    const double waited = finished.waited;
+    auto recording = std::move(finished.recording);
+    auto message = to_message(finished.task, std::move(finished.result));
+    message.waited = waited;
+    message.recording = std::move(recording);
+    outbox_.add(finished.task.database, finished.task.sweep, std::move(message), now);
   }
 }
 
@@ -184,14 +256,20 @@ void Worker::choose_jobs() {
   const auto wanted = executor_.wanted();
   if (wanted == 0) return;
   const auto known = [this](const Id128& database, const Id128& sweep) { return grids_.contains({database, sweep}); };
-  for (const auto& start : book_.start(wanted, known)) {
+  for (auto& start : book_.start(wanted, known)) {
     if (outbox_.holds(start.lease.first, start.sweep, start.job)) continue;
     const auto& grid = grids_.at({start.lease.first, start.sweep});
     if (start.job >= grid->jobs()) {
       book_.settled(start.lease.first, start.sweep, start.job);
       continue;
     }
-    starting_.push_back({start.lease.first, start.sweep, start.lease.second, start.job, grid});
+    starting_.push_back({.database = start.lease.first,
+                         .sweep = start.sweep,
+                         .lease = start.lease.second,
+                         .job = start.job,
+                         .grid = grid,
+                         .checkpoint = std::move(start.checkpoint),
+                         .time_limit = start.time_limit});
   }
 }
 
@@ -226,7 +304,7 @@ messaging::WorkerStatus Worker::status() const {
   status.origin = {last_database_, known ? coordinator->second.epoch : 0, options_.incarnation,
                    experiment::science_version};
   status.heartbeat = heartbeats_;
-  status.state = leaving_ ? messaging::WorkerState::draining : messaging::WorkerState::ready;
+  status.state = leaving_ || draining_ ? messaging::WorkerState::draining : messaging::WorkerState::ready;
   status.threads = executor_.threads();
   status.window = outbox_.full() ? 0 : executor_.threads() * options_.leases_per_thread;
   status.last_lease_sequence = known ? coordinator->second.last_lease_sequence : 0;
@@ -239,7 +317,22 @@ messaging::WorkerStatus Worker::status() const {
   status.host = options_.host;
   status.process = options_.process;
   status.build = options_.build;
+  status.flags = options_.flags;
+  status.processor = options_.processor;
+  status.instruction_set = options_.instruction_set;
   status.dds = vendor_;
+  status.labels = options_.labels;
+  status.labels.insert(status.labels.end(), offered_.begin(), offered_.end());
+  status.counters = {{"checkpoints_sent", counters_.checkpoints_sent},
+                     {"leases_ignored", counters_.leases_ignored},
+                     {"leases_revoked", counters_.leases_revoked},
+                     {"leases_taken", counters_.leases_taken},
+                     {"results_divergent", counters_.results_divergent},
+                     {"results_duplicate", counters_.results_duplicate},
+                     {"results_refused", counters_.results_refused},
+                     {"results_sent_again", outbox_.sent_again()},
+                     {"samples_malformed", participant_.malformed_samples()},
+                     {"specifications_refused", counters_.specifications_refused}};
   return status;
 }
 

@@ -22,6 +22,10 @@ struct WorkerOptions {
   std::string host;
   std::uint32_t process = 0;
   std::string build;
+  std::string flags;
+  std::string processor;
+  std::string instruction_set;
+  std::vector<std::string> labels;
   Clock::duration heartbeat = std::chrono::milliseconds{500};
   std::uint32_t leases_per_thread = 2;  ///< one computed, one waiting
   OutboxOptions outbox;
@@ -40,6 +44,10 @@ class Worker {
   /// Stops computing and gives unfinished leases back. Call step() until settled() (or patience ends), then goodbye().
   void begin_leaving(Clock::time_point now);
   bool settled() const { return outbox_.held() == 0; }
+
+  /// It has been told to drain and has nothing left to do: time to leave.
+  bool drained() const { return draining_ && book_.empty() && outbox_.held() == 0 && executor_.idle(); }
+
   void goodbye(Clock::time_point now);
 
   std::uint64_t jobs_done() const { return jobs_done_; }
@@ -51,7 +59,24 @@ class Worker {
     std::uint64_t last_lease_sequence = 0;
   };
 
+  /// What it has counted since it started; told with each heartbeat.
+  struct Counters {
+    std::uint64_t leases_taken = 0;
+    std::uint64_t leases_ignored = 0;  ///< repeated, unusable, for another worker or of an older epoch
+    std::uint64_t leases_revoked = 0;
+    std::uint64_t results_refused = 0;
+    std::uint64_t results_divergent = 0;
+    std::uint64_t results_duplicate = 0;
+    std::uint64_t checkpoints_sent = 0;
+    std::uint64_t specifications_refused = 0;
+  };
+
   bool current(const messaging::Origin& origin);
+  void take_lease(const messaging::Lease& lease);
+  void revoke(const messaging::Lease& lease);
+  void note(const messaging::Acknowledgement& answer);
+  void send_checkpoints();
+  void send_checkpoint(messaging::Checkpoint checkpoint);
   void take_specifications();
   void take_leases();
   void take_acknowledgements();
@@ -63,6 +88,7 @@ class Worker {
   void send_status(Clock::time_point now);
   messaging::WorkerStatus status() const;
 
+  messaging::Participant& participant_;
   JobExecutor& executor_;
   WorkerOptions options_;
   std::string vendor_;
@@ -71,6 +97,7 @@ class Worker {
   std::unique_ptr<messaging::Reader<messaging::ResultAcknowledgement>> acknowledgements_;
   std::unique_ptr<messaging::Writer<messaging::WorkerStatus>> status_;
   std::unique_ptr<messaging::Writer<messaging::ResultBatch>> results_;
+  std::unique_ptr<messaging::Writer<messaging::Checkpoint>> checkpoints_;
 
   std::map<Id128, KnownCoordinator> coordinators_;                                         ///< by database
   std::map<std::pair<Id128, Id128>, std::shared_ptr<const experiment::SweepGrid>> grids_;  ///< by database and sweep
@@ -79,12 +106,15 @@ class Worker {
   LeaseBook book_;
   Outbox outbox_;
   Id128 last_database_;
+  Counters counters_;
+  std::vector<std::string> offered_;  ///< the executor's labels, as told last
   std::uint64_t heartbeats_ = 0;
   std::uint64_t batches_ = 0;
   std::uint64_t jobs_done_ = 0;
   Clock::time_point status_due_;
   Clock::time_point last_status_;
   bool status_changed_ = true;
+  bool draining_ = false;
   bool leaving_ = false;
   bool said_full_ = false;
 };
