@@ -2,6 +2,7 @@
 
 #include "client/exit_code.hpp"
 #include "client/output/console.hpp"
+#include "messaging/discovery/watch.hpp"
 #include "messaging/port.hpp"
 
 #include <CLI/CLI.hpp>
@@ -21,6 +22,7 @@ enum class Format : unsigned char { table, json, csv, html };
 /// What a command needs of the outside; main makes it, tests make another.
 struct Environment {
   std::function<std::unique_ptr<messaging::Participant>(const messaging::JoinOptions&)> join;
+  std::function<std::unique_ptr<messaging::discovery::Watch>(const messaging::JoinOptions&)> watch;
   std::function<bool()> interrupted;     ///< whether the user wants the tool to end
   std::filesystem::path program_folder;  ///< where lamprey-coordinator and lamprey-worker are
 };

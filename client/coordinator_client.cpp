@@ -2,10 +2,7 @@
 
 #include "experiment/identifiers.hpp"
 
-#include <cerrno>
 #include <limits>
-#include <sys/random.h>
-#include <system_error>
 #include <utility>
 
 namespace lamprey::client {
@@ -16,17 +13,6 @@ namespace {
 constexpr std::chrono::milliseconds look_interval{50};
 
 }  // namespace
-
-std::uint64_t random_id() {
-  std::uint64_t id = 0;
-  while (id == 0) {
-    const auto size = ::getrandom(&id, sizeof id, 0);
-    if (size == static_cast<ssize_t>(sizeof id)) continue;
-    id = 0;
-    if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "getrandom");
-  }
-  return id;
-}
 
 CoordinatorClient::CoordinatorClient(messaging::Participant& participant, std::shared_ptr<messaging::Signal> signal,
                                      std::uint64_t client)

@@ -2,6 +2,7 @@
 
 #include "idl/client.pb.h"
 #include "messaging/port.hpp"
+#include "messaging/process_identity.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -13,8 +14,7 @@ namespace lamprey::client {
 
 using Clock = std::chrono::steady_clock;
 
-/// 64 random bits that are not 0, from the kernel (getrandom): names for clients and isolations that must not meet.
-std::uint64_t random_id();
+using messaging::random_id;
 
 /// Asks the coordinator: one request at a time, sent again under the same correlation until its reply has come, so that
 /// a lost request, a lost reply and a coordinator that starts later cost time only. The coordinator may thus get a

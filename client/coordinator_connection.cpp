@@ -27,8 +27,8 @@ std::string where_looked(const messaging::JoinOptions& join, const std::string& 
 
 ExitCode exit_code_of(const std::string& error_code) {
   if (error_code == "storage") return exit_storage;
-  if (error_code == "malformed") return exit_failure;
-  return exit_usage;  // unknown_sweep, invalid_specification, name_taken, no_such_job
+  if (error_code == "malformed" || error_code == "internal") return exit_failure;
+  return exit_usage;  // unknown_sweep, invalid_specification, name_taken, sweep_changed, not_possible …
 }
 
 }  // namespace
@@ -52,10 +52,12 @@ CoordinatorConnection::CoordinatorConnection(const Environment& environment, Con
       participant_(join(environment, options_.join)),
       client_(*participant_, signal_) {}
 
+Clock::duration CoordinatorConnection::timeout() const {
+  return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.timeout_seconds));
+}
+
 idl::Reply CoordinatorConnection::ask(const idl::Request& request) {
-  const auto timeout =
-      std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.timeout_seconds));
-  auto reply = client_.ask(request, timeout, environment_.interrupted);
+  auto reply = client_.ask(request, timeout(), environment_.interrupted);
   if (!reply) throw interrupted() ? interrupted_failure() : unreachable();
   return std::move(*reply);
 }

@@ -39,6 +39,7 @@ class CoordinatorConnection {
   messaging::Participant& participant() { return *participant_; }
   const std::shared_ptr<messaging::Signal>& signal() const { return signal_; }
   bool interrupted() const { return environment_.interrupted(); }
+  Clock::duration timeout() const;
 
   /// No coordinator has answered in time: says where it was looked for.
   [[nodiscard]] Failure unreachable() const;

@@ -11,6 +11,10 @@ void print(const output::Console& console, const Json& document) {
   console.out << document.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
 }
 
+void print_line(const output::Console& console, const Json& document) {
+  console.out << document.dump(-1, ' ', false, Json::error_handler_t::replace) << std::endl;
+}
+
 Json as_json(const experiment::Value& value) {
   return std::visit([](const auto& held) { return Json(held); }, value);
 }

@@ -19,6 +19,9 @@ Json document(std::string_view command, int version = 1);
 /// The one document that a command writes, with a line end.
 void print(const output::Console& console, const Json& document);
 
+/// One of many documents, on a line of its own, written at once.
+void print_line(const output::Console& console, const Json& document);
+
 Json as_json(const experiment::Value& value);
 Json as_json(const experiment::Score& score);
 

@@ -1,4 +1,6 @@
 #include "client/tool.hpp"
+#include "messaging/discovery/watch.hpp"
+#include "messaging/program/join_options.hpp"
 #include "messaging/program/stop.hpp"
 
 #include <algorithm>
@@ -13,7 +15,16 @@ int main(int count, char** arguments) {
   try {
     const messaging::program::StopOnSignal stop(nullptr);
     const client::Environment environment{
-        .join = [](const messaging::JoinOptions& options) { return messaging::join(options); },
+        .join =
+            [](messaging::JoinOptions options) {
+              options.introduction = messaging::program::introduction("client");
+              return messaging::join(options);
+            },
+        .watch =
+            [](messaging::JoinOptions options) {
+              options.introduction = messaging::program::introduction("observer");
+              return messaging::discovery::watch(options);
+            },
         .interrupted = [&stop] { return stop.requested(); },
         .program_folder = std::filesystem::read_symlink("/proc/self/exe").parent_path()};
     return client::run_tool({arguments + std::min(count, 1), arguments + count}, client::output::system_console(),

@@ -2,6 +2,7 @@
 
 #include "client/output/formatting.hpp"
 #include "experiment/problem.hpp"
+#include "messaging/robot/robot_name.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -34,6 +35,33 @@ CLI::Validator whole_number(std::uint64_t minimum, std::uint64_t maximum) {
           ""};
 }
 
+CLI::Validator whole_number_between(std::int64_t minimum, std::int64_t maximum) {
+  return {[=](const std::string& text) -> std::string {
+            const auto value = read<std::int64_t>(text);
+            if (value && *value >= minimum && *value <= maximum) return {};
+            return "takes a whole number from " + std::to_string(minimum) + " to " + std::to_string(maximum) +
+                   ", not '" + experiment::printable(text) + "'";
+          },
+          ""};
+}
+
+CLI::Validator share() {
+  return {[](const std::string& text) -> std::string {
+            const double value = share_of(text);
+            if (value > 0 && value <= 1) return {};
+            return "takes a share above 0 and up to 1, or a percentage such as 5%, not '" +
+                   experiment::printable(text) + "'";
+          },
+          ""};
+}
+
+double share_of(const std::string& text) {
+  const bool percentage = text.ends_with('%');
+  const auto value = read<double>(std::string_view(text).substr(0, text.size() - (percentage ? 1 : 0)));
+  if (!value) return 0;
+  return percentage ? *value / 100 : *value;
+}
+
 CLI::Validator number(double minimum, double maximum) {
   const std::string range = "from " + output::shortest(minimum) + " to " + output::shortest(maximum);
   return {[=](const std::string& text) -> std::string {
@@ -42,6 +70,14 @@ CLI::Validator number(double minimum, double maximum) {
             return "takes a number " + range + ", not '" + experiment::printable(text) + "'";
           },
           ""};
+}
+
+CLI::Validator robot_name() {
+  return CLI::Validator(
+      [](std::string& name) -> std::string {
+        return messaging::is_valid_robot(name) ? "" : "'" + name + "' is no robot's name: 1 to 64 of A-Z a-z 0-9 _ . -";
+      },
+      "");
 }
 
 CLI::Validator one_of(std::vector<std::string_view> names) {

@@ -23,12 +23,16 @@ std::string kind_name(storage::StorageError::Kind kind) {
       return "network_file_system";
     case Kind::name_taken:
       return "name_taken";
+    case Kind::not_possible:
+      return "not_possible";
     case Kind::corrupt:
       return "corrupt";
     case Kind::full:
       return "full";
     case Kind::busy:
       return "busy";
+    case Kind::read_only:
+      return "read_only";
     case Kind::input_output:
       return "input_output";
   }
@@ -38,7 +42,8 @@ std::string kind_name(storage::StorageError::Kind kind) {
 }  // namespace
 
 Failure storage_failure(const storage::StorageError& error) {
-  const bool input = error.kind() == storage::StorageError::Kind::name_taken;
+  using Kind = storage::StorageError::Kind;
+  const bool input = error.kind() == Kind::name_taken || error.kind() == Kind::not_possible;
   return {input ? exit_usage : exit_storage, kind_name(error.kind()), error.what()};
 }
 

@@ -1,6 +1,7 @@
 #include "client/stored_sweep.hpp"
 
 #include "client/failure.hpp"
+#include "experiment/specification_difference.hpp"
 #include "storage/results_reader.hpp"
 
 #include <filesystem>
@@ -16,10 +17,9 @@ std::optional<messaging::SweepProgress> stored_sweep(const std::string& database
   }
   const storage::ResultsReader reader(database);
   if (const auto named = reader.find_sweep(sweep.name()); named && named->what.id != sweep.id) {
-    throw Failure(exit_usage, "name_taken",
-                  database + " has another sweep called '" + sweep.name() + "' (id " +
-                      experiment::to_hex(named->what.id) + ", this one is " + experiment::to_hex(sweep.id) +
-                      "); give this one another name or another database");
+    idl::SweepSpecification stored;
+    stored.ParseFromString(named->what.specification);
+    throw sweep_changed(sweep.name(), experiment::differences(stored, sweep.file.specification));
   }
   const auto found = reader.find_sweep(experiment::to_hex(sweep.id));
   if (!found || found->science_version != experiment::science_version) return std::nullopt;

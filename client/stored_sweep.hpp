@@ -9,8 +9,8 @@
 namespace lamprey::client {
 
 /// The sweep as a database file has it, read without changing anything; nothing if there is no such file, no such sweep
-/// in it, or it is of another science version. Throws storage::StorageError, and Failure (name_taken) if another sweep
-/// has its name.
+/// in it, or it is of another science version. Throws storage::StorageError, and Failure (sweep_changed) if another
+/// sweep has its name.
 std::optional<messaging::SweepProgress> stored_sweep(const std::string& database, const SweepInput& sweep);
 
 }  // namespace lamprey::client

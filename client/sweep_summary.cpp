@@ -33,6 +33,7 @@ std::string counts_text(const messaging::SweepProgress& progress) {
 }
 
 ExitCode exit_code_of(const messaging::SweepProgress& progress) {
+  if (progress.divergences > 0) return exit_mismatch;
   return progress.failed + progress.quarantined + progress.cancelled > 0 ? exit_jobs_failed : exit_ok;
 }
 

@@ -18,7 +18,8 @@ void add_sweep(Json& document, const messaging::SweepProgress& progress);
 /// "18,432 jobs: 18,430 done, 2 failed".
 std::string counts_text(const messaging::SweepProgress& progress);
 
-/// exit_jobs_failed if a job ended without an outcome (failed, quarantined, cancelled), else exit_ok.
+/// exit_mismatch if a job has been computed twice with different outcomes; else exit_jobs_failed if one ended without
+/// an outcome (failed, quarantined, cancelled); else exit_ok.
 ExitCode exit_code_of(const messaging::SweepProgress& progress);
 
 }  // namespace lamprey::client

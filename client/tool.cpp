@@ -31,10 +31,12 @@ ExitCode report(const Failure& failure, bool json, const output::Console& consol
   for (const auto& message : failure.messages()) {
     console.err << "lamprey: " << (interrupted ? "" : console.red("error:") + " ") << message << '\n';
   }
+  for (const auto& detail : failure.details()) console.err << "  " << detail << '\n';
   console.err.flush();
   if (json) {
     Json error = document("error");
     error["error"] = {{"code", failure.code()}, {"messages", failure.messages()}};
+    if (!failure.details().empty()) error["error"]["details"] = failure.details();
     print(console, error);
   }
   return failure.exit_code();

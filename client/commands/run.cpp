@@ -8,6 +8,7 @@
 #include "client/output/table.hpp"
 #include "client/processes/fleet.hpp"
 #include "client/stored_sweep.hpp"
+#include "client/sweep_control.hpp"
 #include "client/sweep_input.hpp"
 #include "client/sweep_summary.hpp"
 #include "client/sweep_watch.hpp"
@@ -28,6 +29,7 @@
 #include <string>
 #include <string_view>
 #include <thread>
+#include <utility>
 
 namespace lamprey::client::commands {
 
@@ -39,7 +41,10 @@ struct Options {
   std::uint32_t workers = std::max(std::thread::hardware_concurrency(), 1U);
   std::uint32_t threads = 1;
   std::vector<std::string> worker_vendors;
+  std::string bridge;
+  std::string bridge_isolation = messaging::JoinOptions{}.isolation;
   bool quiet = false;
+  SweepOverrides overrides;
   ConnectionOptions connection{.join = {}, .timeout_seconds = 30, .file_would_do = false};
   messaging::program::LoggingOptions logging{.level = "warn", .format = "text"};
 };
@@ -47,9 +52,11 @@ struct Options {
 /// How a run went.
 struct Result {
   messaging::SweepProgress sweep;
-  bool existed = false;    ///< the database had the sweep already
-  bool had_ended = false;  ///< … and nothing was left to do
-  double seconds = 0;      ///< from the start of the command to the end of the sweep
+  bool existed = false;      ///< the database had the sweep already
+  bool had_ended = false;    ///< … and nothing was left to do
+  double seconds = 0;        ///< from the start of the command to the end of the sweep
+  std::uint64_t reused = 0;  ///< outcomes that the database had already
+  std::string reason = {};   ///< why the sweep was stopped, where that was not a person's wish
 };
 
 std::string random_isolation() {
@@ -58,28 +65,34 @@ std::string random_isolation() {
   return std::string("run-") + digits.data();
 }
 
-/// Submits to the coordinator that is about to start; whether it had the sweep already.
-bool submit(CoordinatorConnection& connection, processes::Fleet& fleet, const SweepInput& sweep,
-            double timeout_seconds) {
+/// What the coordinator that is about to start answers.
+idl::Reply ask(CoordinatorConnection& connection, processes::Fleet& fleet, const idl::Request& request) {
   auto& client = connection.client();
-  const auto until =
-      Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(timeout_seconds));
-  client.begin(submit_request(sweep), Clock::now());
+  const auto until = Clock::now() + connection.timeout();
+  client.begin(request, Clock::now());
   while (true) {
     const auto now = Clock::now();
     if (connection.interrupted()) throw interrupted_failure();
     fleet.step(now);
-    if (const auto reply = client.poll(now)) {
-      require_accepted(*reply, sweep);
-      return reply->submit().existed();
-    }
+    if (auto reply = client.poll(now)) return std::move(*reply);
     if (now >= until) throw connection.unreachable();
     constexpr std::chrono::milliseconds look_interval{25};
     connection.signal()->wait_for(look_interval);
   }
 }
 
-Result run_processes(const Options& options, const SweepInput& sweep, const Context& context) {
+/// Submits; whether the database had the sweep already. Whoever runs a paused sweep wants it to go on.
+bool submit(CoordinatorConnection& connection, processes::Fleet& fleet, const SweepInput& sweep, bool is_paused) {
+  const auto reply = ask(connection, fleet, submit_request(sweep));
+  require_accepted(reply, sweep);
+  if (is_paused) {
+    const auto resume = control_request(experiment::to_hex(sweep.id), idl::ControlRequest::RESUME);
+    require_success(ask(connection, fleet, resume));
+  }
+  return reply.submit().existed();
+}
+
+Result run_processes(const Options& options, const SweepInput& sweep, bool is_paused, const Context& context) {
   const auto begin = Clock::now();
   output::ProgressDisplay display(context.console, options.quiet);
   display.show(sweep.name() + "  starting a coordinator and " + output::counted(options.workers, "worker", "workers"),
@@ -93,13 +106,19 @@ Result run_processes(const Options& options, const SweepInput& sweep, const Cont
                           .threads = options.threads,
                           .join = connection_options.join,
                           .worker_vendors = options.worker_vendors,
-                          .log_level = options.logging.level},
+                          .log_level = options.logging.level,
+                          .bridge = options.bridge,
+                          .bridge_isolation = options.bridge_isolation},
                          [&](const std::string& line) { display.say(line); });
   CoordinatorConnection connection(context.environment, connection_options);
   Result result;
-  result.existed = submit(connection, fleet, sweep, options.connection.timeout_seconds);
+  result.existed = submit(connection, fleet, sweep, is_paused);
   result.sweep = wait_for_end(connection, sweep.id, display, [&](Clock::time_point now) { fleet.step(now); });
   result.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  if (const auto reply = ask(connection, fleet, status_request(sweep)); reply.status().sweeps_size() > 0) {
+    result.reused = reply.status().sweeps(0).reused();
+    result.reason = reply.status().sweeps(0).reason();
+  }
   fleet.stop();
   return result;
 }
@@ -115,11 +134,12 @@ Failure interrupted_run(const Options& options, const SweepInput& sweep) {
 }
 
 Result run_or_go_on(const Options& options, const SweepInput& sweep, const Context& context) {
-  if (const auto stored = stored_sweep(options.database, sweep); stored && has_ended(stored->state)) {
+  const auto stored = stored_sweep(options.database, sweep);
+  if (stored && has_ended(stored->state)) {
     return {.sweep = *stored, .existed = true, .had_ended = true};
   }
   try {
-    return run_processes(options, sweep, context);
+    return run_processes(options, sweep, stored && stored->state == "paused", context);
   } catch (const Failure& failure) {
     if (failure.exit_code() != exit_interrupted) throw;
     throw interrupted_run(options, sweep);
@@ -131,6 +151,8 @@ Json json_of(const Options& options, const Result& result) {
   add_sweep(json, result.sweep);
   json["existed"] = result.existed;
   json["had_ended"] = result.had_ended;
+  json["reused"] = result.had_ended ? Json(nullptr) : Json(result.reused);
+  json["reason"] = result.reason;
   json["seconds"] = result.seconds;
   json["database"] = options.database;
   json["workers"] = result.had_ended ? 0 : options.workers;
@@ -185,10 +207,12 @@ void print_summary(const output::Console& console, const Options& options, const
   const auto& sweep = result.sweep;
   std::vector<std::pair<std::string, std::string>> pairs = {
       {"sweep", console.bold(sweep.name)},
-      {"state", sweep.state + (result.had_ended ? " (it had ended before; nothing was left to do)" : "")},
+      {"state", sweep.state + (result.reason.empty() ? "" : ": " + output::without_controls(result.reason)) +
+                    (result.had_ended ? " (it had ended before; nothing was left to do)" : "")},
       {"result", counts_text(sweep)}};
   if (sweep.divergences > 0)
     pairs.emplace_back("divergent", output::with_thousands(sweep.divergences) + " (see the table divergence)");
+  if (result.reused > 0) pairs.emplace_back("reused", reused_text(result.reused));
   if (!result.had_ended) pairs.emplace_back("time", output::duration(result.seconds));
   pairs.emplace_back("database", options.database);
   output::print_pairs(console, pairs);
@@ -201,8 +225,22 @@ void print_summary(const output::Console& console, const Options& options, const
   }
 }
 
-ExitCode run(const Options& options, const Context& context) {
-  const SweepInput sweep = read_sweep(options.file);
+/// Jobs on a robot need one, and one robot is moved by one worker.
+void check_bridge(Options& options, const SweepInput& sweep) {
+  const bool asks_for_robot = experiment::SweepGrid(sweep.file.specification).asks_for_robot();
+  if (asks_for_robot && options.bridge.empty()) {
+    throw usage_failure("sweep " + sweep.name() +
+                        " has jobs on a robot (robot: bridge): name its bridge, --bridge NAME");
+  }
+  if (!asks_for_robot && !options.bridge.empty()) {
+    throw usage_failure("sweep " + sweep.name() + " has no jobs on a robot (robot: bridge), so --bridge is of no use");
+  }
+  if (asks_for_robot) options.workers = 1;
+}
+
+ExitCode run(Options options, const Context& context) {
+  const SweepInput sweep = read_sweep(options.file, options.overrides);
+  check_bridge(options, sweep);
   const Result result = run_or_go_on(options, sweep, context);
   if (context.format == Format::json) {
     print(context.console, json_of(options, result));
@@ -234,6 +272,7 @@ Action declare_run(CLI::App& app) {
       ->check(whole_number(1, 1024))
       ->capture_default_str();
   app.add_flag("-q,--quiet", options->quiet, "No progress");
+  add_sweep_overrides(app, options->overrides);
   const auto vendors = std::make_shared<const std::vector<std::string>>(messaging::available_vendors());
   app.add_option("--worker-dds", options->worker_vendors,
                  "DDS implementation of the workers, taken in turn if given several times (default: as --dds)")
@@ -242,6 +281,13 @@ Action declare_run(CLI::App& app) {
       ->check([vendors](const std::string& vendor) {
         return one_of({vendors->begin(), vendors->end()})(vendor);
       });
+  app.add_option("--bridge", options->bridge, "Robot for the sweep's jobs with `robot: bridge`, by its bridge's name")
+      ->type_name("NAME")
+      ->check(robot_name());
+  app.add_option("--bridge-isolation", options->bridge_isolation, "The isolation that the bridge is in")
+      ->type_name("NAME")
+      ->envname("LAMPREY_ISOLATION")
+      ->capture_default_str();
   add_connection_options(app, options->connection);
   // A run is among itself, on this machine.
   for (const char* name : {"--loopback-only", "--isolation", "--peer"}) app.remove_option(app.get_option(name));

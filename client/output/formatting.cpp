@@ -4,13 +4,23 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <ctime>
 
 namespace lamprey::client::output {
 
 namespace {
 
+constexpr std::string_view style_end = "\x1b[0m";
+
 bool begins_character(char byte) {
   return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
+}
+
+/// Bytes of the style that the text begins with; 0 if it begins with none.
+std::size_t style_length(std::string_view text) {
+  if (!text.starts_with("\x1b[")) return 0;
+  const auto end = text.find('m');
+  return end == std::string_view::npos ? 0 : end + 1;
 }
 
 /// Two units of time, the smaller one left out where it is 0.
@@ -72,22 +82,55 @@ std::string rate(double per_second) {
   return two_digits(per_second * 3600) + " jobs/h";
 }
 
+std::string date_and_time(std::int64_t unix_milliseconds) {
+  const std::time_t seconds = static_cast<std::time_t>(unix_milliseconds / 1000);
+  std::tm parts{};
+  std::array<char, 32> text{};
+  if (::gmtime_r(&seconds, &parts) == nullptr) return "?";
+  return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M:%S", &parts)};
+}
+
 std::string counted(std::uint64_t number, std::string_view one, std::string_view several) {
   return with_thousands(number) + " " + std::string(number == 1 ? one : several);
 }
 
 std::size_t width(std::string_view text) {
-  return static_cast<std::size_t>(std::ranges::count_if(text, begins_character));
+  std::size_t columns = 0;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t style = style_length(text.substr(i));
+    if (style == 0 && begins_character(text[i])) ++columns;
+    i += std::max<std::size_t>(style, 1);
+  }
+  return columns;
 }
 
 std::string cut(std::string_view text, std::size_t columns, std::string_view ellipsis) {
   if (width(text) <= columns) return std::string(text);
   const std::size_t kept = columns - std::min(columns, width(ellipsis));
   std::size_t bytes = 0;
-  for (std::size_t characters = 0; bytes < text.size(); ++bytes) {
-    if (begins_character(text[bytes]) && characters++ == kept) break;
+  bool styled = false;
+  for (std::size_t characters = 0; bytes < text.size();) {
+    const std::size_t style = style_length(text.substr(bytes));
+    if (style == 0 && begins_character(text[bytes]) && characters++ == kept) break;
+    if (style > 0) styled = text.substr(bytes, style) != style_end;
+    bytes += std::max<std::size_t>(style, 1);
   }
-  return std::string(text.substr(0, bytes)) + std::string(ellipsis);
+  return std::string(text.substr(0, bytes)) + std::string(ellipsis) + std::string(styled ? style_end : "");
+}
+
+std::string without_controls(std::string_view text) {
+  std::string safe;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const bool second = i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xA0;
+    if (byte == 0xC2 && second) {  // U+0080 to U+009F
+      safe += '?';
+      ++i;
+    } else {
+      safe += byte < 0x20 || byte == 0x7F ? '?' : text[i];
+    }
+  }
+  return safe;
 }
 
 std::vector<std::string> wrap(std::string_view text, std::size_t columns) {

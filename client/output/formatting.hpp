@@ -24,14 +24,22 @@ std::string duration(double seconds);
 /// "612 jobs/s", "2.5 jobs/s"; slow ones as "12 jobs/min" or "3 jobs/h".
 std::string rate(double per_second);
 
+/// "2026-01-31 12:00:00", of milliseconds since 1970, in universal time.
+std::string date_and_time(std::int64_t unix_milliseconds);
+
 /// "1 job", "12,345 jobs".
 std::string counted(std::uint64_t number, std::string_view one, std::string_view several);
 
-/// Columns that UTF-8 text takes on a terminal; every character counts as one (no wide ones are printed here).
+/// Columns that UTF-8 text takes on a terminal; every character counts as one (no wide ones are printed here), styles
+/// (ESC [ … m) as none.
 std::size_t width(std::string_view text);
 
-/// The text cut to at most `columns` columns, ending in `ellipsis` if anything was cut.
+/// The text cut to at most `columns` columns, ending in `ellipsis` if anything was cut; a style that it had begun ends
+/// there.
 std::string cut(std::string_view text, std::size_t columns, std::string_view ellipsis);
+
+/// The text with a question mark for each control character, which a terminal would act on: for text from outside.
+std::string without_controls(std::string_view text);
 
 /// The words of the text in lines of at most `columns` columns (longer words stand alone).
 std::vector<std::string> wrap(std::string_view text, std::size_t columns);

@@ -11,22 +11,31 @@ namespace {
 
 constexpr auto between_lines = std::chrono::seconds{5};
 
+std::uint64_t jobs_ended(const messaging::SweepProgress& progress) {
+  return progress.done + progress.failed + progress.quarantined + progress.cancelled;
+}
+
 }  // namespace
 
+std::string percentage(const messaging::SweepProgress& progress) {
+  const std::uint64_t ended = jobs_ended(progress);
+  if (ended >= progress.jobs) return "100 %";
+  const double share = static_cast<double>(ended) / static_cast<double>(progress.jobs);
+  return std::to_string(std::min<std::uint64_t>(static_cast<std::uint64_t>(100 * share), 99)) + " %";
+}
+
 std::string progress_line(const messaging::SweepProgress& progress) {
-  const std::uint64_t ended = progress.done + progress.failed + progress.quarantined + progress.cancelled;
-  const std::uint64_t percent =
-      progress.jobs == 0
-          ? 100
-          : static_cast<std::uint64_t>(100.0 * static_cast<double>(ended) / static_cast<double>(progress.jobs));
+  const std::uint64_t ended = jobs_ended(progress);
   std::string line = progress.name + "  " + with_thousands(ended) + " / " + with_thousands(progress.jobs) + "  " +
-                     std::to_string(ended >= progress.jobs ? 100 : std::min<std::uint64_t>(percent, 99)) + " %";
+                     percentage(progress);
   line += "  done " + with_thousands(progress.done) + "  failed " + with_thousands(progress.failed);
   if (progress.quarantined > 0) line += "  quarantined " + with_thousands(progress.quarantined);
   if (progress.cancelled > 0) line += "  cancelled " + with_thousands(progress.cancelled);
   if (progress.divergences > 0) line += "  divergent " + with_thousands(progress.divergences);
   if (ended >= progress.jobs) return line;
-  if (progress.state == "cancelling") return line + "  cancelling";
+  if (progress.state == "cancelling" || progress.state == "paused" || progress.state == "deleting") {
+    return line + "  " + progress.state;
+  }
   line += "  leased " + with_thousands(progress.leased);
   if (progress.workers == 0) return line + "  waiting for workers";
   if (progress.jobs_per_second > 0) line += "  " + rate(progress.jobs_per_second);

@@ -13,6 +13,9 @@ namespace lamprey::client::output {
 /// rounded down: 100 % means all.
 std::string progress_line(const messaging::SweepProgress& progress);
 
+/// "66 %": the share of jobs that have ended, rounded down.
+std::string percentage(const messaging::SweepProgress& progress);
+
 /// Shows how a sweep goes on, on the console's `err`: on a terminal one line that is rewritten, else a line now and
 /// then. One thread.
 class ProgressDisplay {

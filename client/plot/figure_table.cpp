@@ -108,7 +108,7 @@ Reading chosen_reading(const Request& request, const Figure& figure,
       if (!allows(request, reading)) continue;
       for (const auto& [column, text] : request.settings) {
         const bool known =
-            std::ranges::any_of(reading.values, [&](const auto& value) { return value.first == column; });
+            std::ranges::any_of(reading.values, [&name = column](const auto& value) { return value.first == name; });
         if (!known) reading.settings.emplace_back(column, json_literal(text));
       }
       return reading;

@@ -67,6 +67,9 @@ Fleet::Fleet(FleetOptions options, std::function<void(const std::string&)> say)
   coordinator_.program = find_program(options_.program_folder, coordinator_program);
   coordinator_.arguments = common_arguments(options_, options_.join.vendor);
   coordinator_.arguments.insert(coordinator_.arguments.end(), {"--database", options_.database});
+  if (!options_.bridge.empty()) {
+    coordinator_.arguments.insert(coordinator_.arguments.end(), {"--bridge-isolation", options_.bridge_isolation});
+  }
   for (std::uint32_t number = 1; number <= options_.workers; ++number) workers_.push_back(make_worker(number));
   try {
     const auto now = Clock::now();
@@ -85,6 +88,10 @@ Fleet::Member Fleet::make_worker(std::uint32_t number) const {
   worker.arguments =
       common_arguments(options_, vendors.empty() ? options_.join.vendor : vendors[(number - 1) % vendors.size()]);
   worker.arguments.insert(worker.arguments.end(), {"--threads", std::to_string(options_.threads)});
+  if (!options_.bridge.empty()) {
+    worker.arguments.insert(worker.arguments.end(),
+                            {"--bridge", options_.bridge, "--bridge-isolation", options_.bridge_isolation});
+  }
   return worker;
 }
 

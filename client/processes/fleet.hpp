@@ -26,6 +26,8 @@ struct FleetOptions {
   messaging::JoinOptions join;
   std::vector<std::string> worker_vendors;  ///< taken in turn; empty: the coordinator's
   std::string log_level = "warn";
+  std::string bridge;            ///< the robot that the workers are to have; empty: none
+  std::string bridge_isolation;  ///< where its bridge is
 };
 
 /// A coordinator and its workers as processes of this machine. What dies is started again a few times; what they log
