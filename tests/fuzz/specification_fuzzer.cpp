@@ -1,4 +1,4 @@
-#include "sweep_checks.hpp"
+#include "tests/fuzz/sweep_checks.hpp"
 
 #include <cstddef>
 #include <cstdint>
