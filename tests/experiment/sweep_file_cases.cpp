@@ -47,7 +47,7 @@ workers: 8
 cycles: 100
 )",
        R"(sweep.yaml:2:1: replicate: unknown field 'replicate'; did you mean 'replicates'?
-sweep.yaml:3:1: workers: unknown field 'workers'; known are name, description, seed, base, environment, grids, replicates
+sweep.yaml:3:1: workers: unknown field 'workers'; known are name, description, seed, base, environment, grids, replicates, priority, max_concurrent, time_limit, attempts, fail_fast, stop_when, needs, tags
 sweep.yaml:4:1: cycles: is a parameter; it belongs under base, or as an axis under grids)"},
       {"A field of the wrong shape", R"(name: [a]
 description:
@@ -79,6 +79,45 @@ replicates: 0
 )",
        R"(sweep.yaml:2:7: seed: '-1' is not allowed: seed takes a whole number from 0 to 18446744073709551615
 sweep.yaml:3:13: replicates: '0' is not allowed: replicates takes a whole number from 1 to 1000000)"},
+      {"A field of the execution that is wrong", R"(name: a
+priority: 1001
+max_concurrent: 0
+time_limit: 0
+attempts: "3"
+fail_fast: yes
+stop_wen: {failed: 1}
+)",
+       R"(sweep.yaml:2:11: priority: '1001' is not allowed: priority takes a whole number from -1000 to 1000
+sweep.yaml:3:17: max_concurrent: '0' is not allowed: max_concurrent takes a whole number from 1 to 100000000
+sweep.yaml:4:13: time_limit: '0' is not allowed: time_limit takes a number of seconds above 0 and up to 31536000
+sweep.yaml:5:11: attempts: '3' is not allowed: attempts takes a whole number from 1 to 100
+sweep.yaml:6:12: fail_fast: 'yes' is not allowed: fail_fast takes true or false
+sweep.yaml:7:1: stop_wen: unknown field 'stop_wen'; did you mean 'stop_when'?)"},
+      {"A condition to stop that is wrong", R"(name: a
+stop_when:
+  faild: 1
+  speed: 10
+  failed: 0
+  done: 2.5
+  success_rate: 50
+  highest_total: many
+)",
+       R"(sweep.yaml:3:3: stop_when.faild: unknown measure 'faild'; did you mean 'failed'?
+sweep.yaml:4:3: stop_when.speed: unknown measure 'speed'; a measure is failed, done, divergences, success_rate, or a score of the view result such as highest_total
+sweep.yaml:5:11: stop_when.failed: 0 is out of range: failed takes a whole number from 1 to 100000000
+sweep.yaml:6:9: stop_when.done: 2.5 is out of range: done takes a whole number from 1 to 100000000
+sweep.yaml:7:17: stop_when.success_rate: 50 is out of range: success_rate takes a number from 0 to 1
+sweep.yaml:8:18: stop_when.highest_total: 'many' is not allowed: highest_total takes a number)"},
+      {"Labels and tags that are not allowed", R"(name: a
+stop_when: highest_total
+needs: [gpu=1, my laboratory, gpu=1, [a]]
+tags: {a: b}
+)",
+       R"(sweep.yaml:2:12: stop_when: takes a mapping of measures to values, such as {failed: 10}; this is 'highest_total'
+sweep.yaml:3:16: needs[1]: 'my laboratory' is not allowed: a label has 1 to 64 letters, digits, '-', '_', '.', ':' and '='
+sweep.yaml:3:31: needs[2]: gpu=1 is in this list twice
+sweep.yaml:3:38: needs[3]: takes text; this is a list
+sweep.yaml:4:7: tags: takes a list of tags; this is a mapping)"},
       {"An unknown parameter", R"(name: a
 base: {gaitt: walk}
 grids:

@@ -120,7 +120,36 @@ TEST(SweepFile, IsValidWhereTheDocumentationShowsHowToWriteOne) {
     EXPECT_NO_THROW(SweepGrid(parse_sweep(example, "sweep_file.md").specification)) << example;
     ++files;
   }
-  EXPECT_EQ(files, 5);
+  EXPECT_EQ(files, 6);
+}
+
+TEST(SweepFile, SaysHowItIsRunWithoutBecomingAnotherSweep) {
+  const std::string plain = "name: a\nbase: {cycles: 9}\n";
+  const auto file = parse_sweep(plain +
+                                    "priority: -5\nmax_concurrent: 64\ntime_limit: 0.5\nattempts: 100\n"
+                                    "fail_fast: true\nstop_when: {highest_total: 340.5, failed: 10}\n"
+                                    "needs: [gpu=1, 'site:lab']\ntags: draft\n",
+                                "sweep.yaml");
+  const auto& execution = file.specification.execution();
+  EXPECT_EQ(execution.priority(), -5);
+  EXPECT_EQ(execution.max_concurrent(), 64U);
+  EXPECT_EQ(execution.time_limit(), 0.5);
+  EXPECT_EQ(execution.attempts(), 100U);
+  EXPECT_TRUE(execution.fail_fast());
+  ASSERT_EQ(execution.stop_when_size(), 2);
+  EXPECT_EQ(execution.stop_when(0).measure(), "highest_total");
+  EXPECT_EQ(execution.stop_when(0).at_least(), 340.5);
+  EXPECT_EQ(execution.stop_when(1).at_least(), 10);
+  ASSERT_EQ(execution.needs_size(), 2);
+  EXPECT_EQ(execution.needs(1), "site:lab");
+  ASSERT_EQ(execution.tags_size(), 1);
+  EXPECT_EQ(execution.tags(0), "draft");
+  const auto position = file.positions.at("needs[1]");
+  EXPECT_EQ(std::pair(position.line, position.column), std::pair(9, 16));
+
+  const auto without = parse_sweep(plain, "sweep.yaml").specification;
+  EXPECT_FALSE(without.has_execution());
+  EXPECT_EQ(sweep_id(file.specification), sweep_id(without));
 }
 
 // The documentation's first example has a grid of its own for the exception.

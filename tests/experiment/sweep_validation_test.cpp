@@ -1,5 +1,6 @@
 #include "experiment/sweep_validation.hpp"
 
+#include "experiment/execution_validation.hpp"
 #include "experiment/sweep.hpp"
 #include "experiment/typed_value.hpp"
 
@@ -387,6 +388,45 @@ TEST(Validate, ComparesGridsOfManyChoicesInTime) {
   EXPECT_THAT(problems_of(specification), IsEmpty());
   specification.mutable_grids(299)->mutable_axes(7)->mutable_values(0)->set_real(1);
   EXPECT_THAT(problems_of(specification), ElementsAre(HasSubstr("grids[299]: has jobs that grids[0] has too")));
+}
+
+TEST(Validate, ChecksHowASweepIsRun) {
+  auto specification = empty_sweep();
+  auto& execution = *specification.mutable_execution();
+  EXPECT_THAT(problems_of(specification), IsEmpty()) << "0 stands for the default everywhere";
+  execution.set_priority(-1001);
+  execution.set_max_concurrent(100'000'001);
+  execution.set_time_limit(not_a_number);
+  execution.set_attempts(101);
+  for (const double value : {infinite, 1.0, 2.0}) {
+    auto& condition = *execution.add_stop_when();
+    condition.set_measure("final_total");
+    condition.set_at_least(value);
+  }
+  execution.add_stop_when()->set_measure("\x1b[2J");
+  execution.add_needs("");
+  execution.add_needs(std::string(65, 'a'));
+  for (int i = 0; i < 17; ++i) execution.add_tags("t" + std::to_string(i));
+  const auto problems = problems_of(specification);
+  EXPECT_THAT(
+      problems,
+      ElementsAre("priority: -1001 is out of range: priority takes a whole number from -1000 to 1000",
+                  "max_concurrent: 100000001 is out of range: max_concurrent takes a whole number from 1 to 100000000",
+                  "time_limit: nan is out of range: time_limit takes a number of seconds above 0 and up to 31536000",
+                  "attempts: 101 is out of range: attempts takes a whole number from 1 to 100",
+                  "stop_when.final_total: inf is out of range: final_total takes a number",
+                  "stop_when.final_total: is given twice; keep one of them",
+                  HasSubstr("stop_when.\\x1b[2J: unknown measure '\\x1b[2J'"), HasSubstr("needs[0]: '' is not allowed"),
+                  HasSubstr("needs[1]: 'aaa"), "tags: has 17 tags; at most 16 are allowed"));
+  EXPECT_EQ(validate(execution).size(), problems.size());
+}
+
+TEST(Validate, LooksAtAHundredConditionsToStopAtMost) {
+  auto specification = empty_sweep();
+  for (int i = 0; i < 100'000; ++i) {
+    specification.mutable_execution()->add_stop_when()->set_measure("m" + std::to_string(i));
+  }
+  EXPECT_EQ(validate(specification).size(), maximum_problems);
 }
 
 }  // namespace

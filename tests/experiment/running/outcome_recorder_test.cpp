@@ -20,6 +20,8 @@ class Wanted final : public evolution::Problem {
   fitness::Fitness evaluate(std::span<const double>, const fitness::Environment&, evolution::Body&) const override {
     return {};
   }
+  void save(const evolution::Body&, saving::Writer&) const override {}
+  void restore(saving::Reader&, evolution::Body&) const override {}
   fitness::Fitness expected(const fitness::Environment&) const override { return {}; }
   robots::Recording record(std::span<const double>, const fitness::Environment&, std::int32_t) const override {
     return {};

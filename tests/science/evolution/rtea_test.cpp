@@ -31,6 +31,14 @@ class ToldProblem final : public Problem {
     told_.pop_front();
     return next;
   }
+  void save(const Body& body, saving::Writer& writer) const override {
+    writer.whole("evaluations", body.get<int>(), 0, 1'000'000);
+  }
+  void restore(saving::Reader& reader, Body& body) const override {
+    int evaluations = 0;
+    reader.whole("evaluations", evaluations, 0, 1'000'000);
+    body.put(evaluations);
+  }
   Fitness expected(const fitness::Environment&) const override { return {}; }
   robots::Recording record(std::span<const double>, const fitness::Environment&, std::int32_t) const override {
     return {};

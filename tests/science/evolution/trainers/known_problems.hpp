@@ -39,6 +39,14 @@ class Minimisation final : public Problem {
     body.put(evaluations_of_body);
     return {.distance = -function_(genes)};
   }
+  void save(const Body& body, saving::Writer& writer) const override {
+    writer.whole("evaluations", body.get<int>(), 0, 1'000'000);
+  }
+  void restore(saving::Reader& reader, Body& body) const override {
+    int evaluations = 0;
+    reader.whole("evaluations", evaluations, 0, 1'000'000);
+    body.put(evaluations);
+  }
   fitness::Fitness expected(const fitness::Environment& /*environment*/) const override { return {}; }
   robots::Recording record(std::span<const double> /*genes*/, const fitness::Environment& /*environment*/,
                            std::int32_t /*time_steps*/) const override {

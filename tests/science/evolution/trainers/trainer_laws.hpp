@@ -96,6 +96,64 @@ TEST_P(TrainerLaws, ACloneGoesOnAsItsOriginalDoesAndLeavesItAlone) {
   }
 }
 
+TEST_P(TrainerLaws, ARestoredTrainerGoesOnAsTheSavedOneDoes) {
+  if (!GetParam().make()->can_be_saved()) GTEST_SKIP() << "it cannot be saved";
+  const Seen whole = run(9);
+  const Training given = training(problem, 9);
+  for (std::uint32_t before = 0; before < evaluations; ++before) {
+    const auto original = GetParam().make();
+    original->begin(given);
+    std::vector<CycleReport> reports;
+    while (reports.size() < before) original->advance(given, 1, reports);
+    saving::Writer writer;
+    original->save(given, writer);
+    const auto octets = std::move(writer).take();
+
+    const auto restored = GetParam().make();
+    saving::Reader reader(octets);
+    restored->restore(given, before, reader);
+    EXPECT_NO_THROW(reader.end());
+    EXPECT_TRUE(std::ranges::equal(restored->genes(), original->genes())) << before;
+    saving::Writer again;
+    restored->save(given, again);
+    EXPECT_EQ(std::move(again).take(), octets) << before;
+
+    while (reports.size() < evaluations) {
+      restored->advance(given, evaluations - static_cast<std::uint32_t>(reports.size()), reports);
+    }
+    for (std::size_t cycle = 0; cycle < evaluations; ++cycle) {
+      ASSERT_EQ(-reports[cycle].fitness.distance, whole.costs[cycle]) << before << ", " << cycle;
+      ASSERT_EQ(reports[cycle].accepted, whole.accepted[cycle]) << before << ", " << cycle;
+    }
+  }
+}
+
+TEST_P(TrainerLaws, AStateThatIsCutShortOrHasAnotherNumberOfCyclesIsRefusedOrHarmless) {
+  if (!GetParam().make()->can_be_saved()) GTEST_SKIP() << "it cannot be saved";
+  const Training given = training(problem, 10);
+  const auto original = GetParam().make();
+  original->begin(given);
+  std::vector<CycleReport> reports;
+  while (reports.size() < 133) original->advance(given, 1, reports);
+  saving::Writer writer;
+  original->save(given, writer);
+  const auto octets = std::move(writer).take();
+  for (std::size_t length = 0; length < octets.size(); ++length) {
+    saving::Reader reader({octets.data(), length});
+    EXPECT_THROW(GetParam().make()->restore(given, 133, reader), saving::Invalid) << length;
+  }
+  for (const std::uint32_t cycles : {0U, 1U, 4'000'000'000U}) {
+    saving::Reader reader(octets);
+    const auto restored = GetParam().make();
+    try {
+      restored->restore(given, cycles, reader);
+    } catch (const saving::Invalid&) {
+      continue;
+    }
+    restored->advance(given, 50, reports);
+  }
+}
+
 inline std::string name_of(const testing::TestParamInfo<Named>& info) {
   return info.param.name;
 }
