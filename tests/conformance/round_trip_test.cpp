@@ -50,6 +50,9 @@ TEST_P(RoundTrip, ResultBatchOfSixtyKilobytes) {
 TEST_P(RoundTrip, ResultAcknowledgement) {
   expect_round_trips<ResultAcknowledgement>();
 }
+TEST_P(RoundTrip, Checkpoint) {
+  expect_round_trips<Checkpoint>();
+}
 TEST_P(RoundTrip, Request) {
   expect_round_trips<Request>();
 }
@@ -58,6 +61,21 @@ TEST_P(RoundTrip, Reply) {
 }
 TEST_P(RoundTrip, SweepProgress) {
   expect_round_trips<SweepProgress>();
+}
+TEST_P(RoundTrip, RobotStatus) {
+  expect_round_trips<RobotStatus>();
+}
+TEST_P(RoundTrip, RobotRequest) {
+  expect_round_trips<RobotRequest>();
+}
+TEST_P(RoundTrip, RobotReply) {
+  expect_round_trips<RobotReply>();
+}
+TEST_P(RoundTrip, ServoCommand) {
+  expect_round_trips<ServoCommand>();
+}
+TEST_P(RoundTrip, ServoState) {
+  expect_round_trips<ServoState>();
 }
 
 TEST_P(RoundTrip, EveryEnumerator) {

@@ -5,15 +5,21 @@
 namespace lamprey::messaging::conformance {
 
 std::vector<Pair> network_pairs() {
-  return {{"Cyclone", "cyclonedds", "cyclonedds"},
-          {"Fast", "fastdds", "fastdds"},
-          {"FastToCyclone", "fastdds", "cyclonedds"},
-          {"CycloneToFast", "cyclonedds", "fastdds"}};
+  return {{.name = "Cyclone", .writer = "cyclonedds", .reader = "cyclonedds"},
+          {.name = "Fast", .writer = "fastdds", .reader = "fastdds"},
+          {.name = "FastToCyclone", .writer = "fastdds", .reader = "cyclonedds"},
+          {.name = "CycloneToFast", .writer = "cyclonedds", .reader = "fastdds"}};
 }
 
 std::vector<Pair> all_pairs() {
   auto pairs = network_pairs();
-  pairs.insert(pairs.begin(), {"InMemory", "in_memory", "in_memory"});
+  pairs.insert(pairs.begin(), {.name = "InMemory", .writer = "in_memory", .reader = "in_memory"});
+  return pairs;
+}
+
+std::vector<Pair> pairs_with_network_settings() {
+  auto pairs = network_pairs();
+  for (auto& pair : pairs) pair.network_settings = true;
   return pairs;
 }
 
@@ -25,7 +31,13 @@ World::World()
     : isolation_("test-" + std::to_string(std::random_device{}()) + std::to_string(std::random_device{}())) {}
 
 JoinOptions World::options(const std::string& vendor, const std::string& isolation) const {
-  return {.vendor = vendor, .domain = 99, .isolation = isolation_ + isolation, .peers = {}, .loopback_only = true};
+  JoinOptions options;
+  options.vendor = vendor;
+  options.domain = 99;
+  options.isolation = isolation_ + isolation;
+  options.loopback_only = !GetParam().network_settings;
+  if (GetParam().network_settings) options.peers = {"127.0.0.1"};
+  return options;
 }
 
 std::unique_ptr<Participant> World::make(const std::string& vendor, const std::string& isolation) {

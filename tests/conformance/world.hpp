@@ -22,6 +22,7 @@ struct Pair {
   std::string name;
   std::string writer;  ///< vendor of the writing side
   std::string reader;
+  bool network_settings = false;  ///< as for a network of machines, though it is one: see tuning.hpp
 };
 inline void PrintTo(const Pair& pair, std::ostream* out) {
   *out << pair.writer << " to " << pair.reader;
@@ -30,9 +31,11 @@ inline void PrintTo(const Pair& pair, std::ostream* out) {
 std::vector<Pair> all_pairs();
 /// Those over DDS.
 std::vector<Pair> network_pairs();
+/// The same, but met as a peer by address and not by loopback only.
+std::vector<Pair> pairs_with_network_settings();
 
 /// Generous, because the machine may be busy with other tests; nothing here asserts how long something takes.
-inline constexpr std::chrono::seconds patience{90};
+inline constexpr std::chrono::seconds patience{150};
 
 /// Two sides that nobody else can meet: an isolation of its own, on this machine only.
 class World : public ::testing::TestWithParam<Pair> {

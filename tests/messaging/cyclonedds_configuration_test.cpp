@@ -37,6 +37,13 @@ TEST(CycloneConfiguration, LoopbackOnlyNamesNoOtherInterface) {
                     HasSubstr("<Peer address=\"127.0.0.1\"/>")));
 }
 
+TEST(CycloneConfiguration, MessagesOnANetworkAreOneFrameEach) {
+  JoinOptions options;
+  EXPECT_THAT(configuration(options, {}), HasSubstr("<MaxMessageSize>1400B</MaxMessageSize>"));
+  options.loopback_only = true;
+  EXPECT_THAT(configuration(options, {}), Not(HasSubstr("MaxMessageSize")));
+}
+
 TEST(CycloneConfiguration, PeerThatIsNoHostIsRefused) {
   JoinOptions options;
   options.peers = {"\"/><Tracing>"};

@@ -64,11 +64,17 @@ inline void fill(WorkerStatus& sample, Values& values) {
   sample.results_held = values.u64();
   sample.leases = {{values.id(), values.u64(), values.u64(), values.id(), values.ranges(3)},
                    {values.id(), values.u64(), values.u64(), values.id(), {}}};
-  sample.running = {{values.id(), values.u64()}, {values.id(), values.u64()}};
+  sample.running = {{values.id(), values.u64(), values.u32(), values.real()},
+                    {values.id(), values.u64(), values.u32(), values.real()}};
   sample.host = values.text();
   sample.process = values.u32();
   sample.build = values.text();
+  sample.flags = values.text();
+  sample.processor = values.text();
+  sample.instruction_set = values.text();
   sample.dds = values.text();
+  sample.labels = {values.text(), values.text()};
+  sample.counters = {{values.text(), values.u64()}, {values.text(), values.u64()}};
 }
 
 inline void fill(SweepSpecification& sample, Values& values) {
@@ -87,6 +93,9 @@ inline void fill(Lease& sample, Values& values) {
   sample.sweep = values.id();
   sample.ranges = values.ranges(5);
   sample.duration_milliseconds = values.u32();
+  sample.time_limit = values.real();
+  sample.interrupt = true;
+  sample.checkpoint = values.octets(700);
   sample.reason = values.text();
 }
 
@@ -111,7 +120,9 @@ inline JobResult example_result(Values& values, std::size_t rows, std::size_t me
   result.outcome.trace = values.trace(rows);
   result.outcome.measures = values.measures(measures);
   result.seconds = values.real();
+  result.waited = values.real();
   result.reason = values.text();
+  result.recording = values.octets(17 * measures);
   return result;
 }
 
@@ -128,6 +139,17 @@ inline void fill(ResultAcknowledgement& sample, Values& values) {
   for (const auto verdict : {Verdict::committed, Verdict::duplicate, Verdict::divergent, Verdict::refused}) {
     sample.results.push_back({values.id(), values.u64(), values.digest(), verdict, values.text()});
   }
+}
+
+inline void fill(Checkpoint& sample, Values& values) {
+  sample.origin = values.origin();
+  sample.sweep = values.id();
+  sample.job = values.u64();
+  sample.lease = values.u64();
+  sample.cycle = values.u32();
+  sample.seconds = values.real();
+  sample.identity = values.digest();
+  sample.state = values.octets(300);
 }
 
 inline void fill(Request& sample, Values& values) {
@@ -162,6 +184,80 @@ inline void fill(SweepProgress& sample, Values& values) {
   sample.workers = values.u32();
 }
 
+inline ServoPositions positions(Values& values) {
+  ServoPositions all{};
+  for (auto& position : all) position = values.real();
+  return all;
+}
+
+inline void fill(RobotStatus& sample, Values& values) {
+  sample.robot = values.u64();
+  sample.name = values.text();
+  sample.state = RobotState::active;
+  sample.stopped = true;
+  sample.reason = values.text();
+  sample.incarnation = values.u64();
+  sample.heartbeat = values.u64();
+  sample.token = values.u64();
+  sample.holder = values.u64();
+  sample.rate = values.real();
+  sample.driver = values.text();
+  sample.device = values.text();
+  sample.scheduling = values.text();
+  sample.host = values.text();
+  sample.process = values.u32();
+  sample.build = values.text();
+  sample.dds = values.text();
+  sample.counters = {{values.text(), values.u64()}, {values.text(), values.u64()}};
+}
+
+inline void fill(RobotRequest& sample, Values& values) {
+  sample.robot = values.u64();
+  sample.asker = values.u64();
+  sample.correlation = values.u64();
+  sample.kind = RobotRequestKind::reset;
+  sample.token = values.u64();
+  sample.confirmed = true;
+  sample.position = positions(values);
+  sample.reason = values.text();
+}
+
+inline void fill(RobotReply& sample, Values& values) {
+  sample.robot = values.u64();
+  sample.asker = values.u64();
+  sample.correlation = values.u64();
+  sample.granted = true;
+  sample.reason = values.text();
+  sample.token = values.u64();
+  sample.lease_milliseconds = values.u32();
+  sample.state = RobotState::fault;
+  sample.stopped = true;
+}
+
+inline void fill(ServoCommand& sample, Values& values) {
+  sample.robot = values.u64();
+  sample.token = values.u64();
+  sample.evaluation = values.u64();
+  sample.time_step = values.u32();
+  sample.last = true;
+  sample.position = positions(values);
+}
+
+inline void fill(ServoState& sample, Values& values) {
+  sample.robot = values.u64();
+  sample.token = values.u64();
+  sample.evaluation = values.u64();
+  sample.time_step = values.u32();
+  sample.outcome = StepOutcome::voided;
+  sample.reason = values.text();
+  sample.commanded = positions(values);
+  sample.reported = positions(values);
+  sample.measured = true;
+  sample.feet_down = values.u32();
+  sample.command_to_line_nanoseconds = values.u64();
+  sample.line_to_state_nanoseconds = values.u64();
+}
+
 template <class Sample>
 Sample example(std::uint64_t seed = 1) {
   Sample sample;
@@ -180,8 +276,18 @@ inline void maximise(WorkerStatus& sample) {
   sample.state = WorkerState::leaving;
   sample.threads = sample.window = sample.process = most32;
   sample.leases.resize(200, {{most, most}, most, most, {most, most}, std::vector<JobRange>(20, {most, most})});
-  sample.running.resize(1000, {{most, most}, most});
-  sample.host = sample.build = sample.dds = long_text;
+  sample.running.resize(1000, {{most, most}, most, most32, 1e300});
+  sample.host = sample.build = sample.dds = sample.flags = sample.processor = sample.instruction_set = long_text;
+  sample.labels.assign(64, "label");
+  sample.counters.assign(256, {"counter", most});
+}
+inline void maximise(Checkpoint& sample) {
+  sample.sweep = {most, most};
+  sample.job = sample.lease = most;
+  sample.cycle = most32;
+  sample.seconds = 1e300;
+  sample.identity.fill(0xff);
+  sample.state.assign(1'000'000, 0xff);
 }
 inline void maximise(SweepSpecification& sample) {
   sample.sweep = {most, most};
@@ -193,6 +299,8 @@ inline void maximise(Lease& sample) {
   sample.sequence = sample.lease = most;
   sample.sweep = {most, most};
   sample.ranges.assign(3000, {most, most});
+  sample.time_limit = 1e300;
+  sample.checkpoint.assign(100'000, 0xff);
   sample.duration_milliseconds = most32;
   sample.reason = long_text;
 }
@@ -206,6 +314,7 @@ inline void maximise(ResultBatch& sample) {
   outcome.expected = {largest, -largest, std::numeric_limits<double>::denorm_min(), -0.0};
   outcome.success_rate = std::numeric_limits<double>::infinity();
   outcome.measures = {{std::string(1000, 'n'), most32, largest}, {"", 0, -0.0}};
+  sample.results[0].recording.assign(2000, 0xff);
 }
 inline void maximise(ResultAcknowledgement& sample) {
   Digest digest;
@@ -231,10 +340,46 @@ inline void maximise(SweepProgress& sample) {
   sample.workers = most32;
 }
 
+inline void maximise(RobotStatus& sample) {
+  sample.robot = sample.incarnation = sample.heartbeat = sample.token = sample.holder = most;
+  sample.state = RobotState::finalized;
+  sample.name = sample.reason = sample.driver = sample.device = sample.scheduling = long_text;
+  sample.host = sample.build = sample.dds = long_text;
+  sample.process = most32;
+  sample.rate = std::numeric_limits<double>::max();
+  sample.counters.assign(256, {"counter", most});
+}
+inline void maximise(RobotRequest& sample) {
+  sample.robot = sample.asker = sample.correlation = sample.token = most;
+  sample.kind = RobotRequestKind::place;
+  sample.position.fill(std::numeric_limits<double>::infinity());
+  sample.reason = long_text;
+}
+inline void maximise(RobotReply& sample) {
+  sample.robot = sample.asker = sample.correlation = sample.token = most;
+  sample.lease_milliseconds = most32;
+  sample.state = RobotState::finalized;
+  sample.reason = long_text;
+}
+inline void maximise(ServoCommand& sample) {
+  sample.robot = sample.token = sample.evaluation = most;
+  sample.time_step = most32;
+  sample.position.fill(std::numeric_limits<double>::lowest());
+}
+inline void maximise(ServoState& sample) {
+  sample.robot = sample.token = sample.evaluation = most;
+  sample.time_step = sample.feet_down = most32;
+  sample.outcome = StepOutcome::voided;
+  sample.reason = long_text;
+  sample.commanded.fill(std::numeric_limits<double>::max());
+  sample.reported.fill(-0.0);
+  sample.command_to_line_nanoseconds = sample.line_to_state_nanoseconds = most;
+}
+
 template <class Sample>
 Sample extreme() {
   Sample sample;
-  sample.origin = extreme_origin;
+  if constexpr (requires { sample.origin; }) sample.origin = extreme_origin;
   maximise(sample);
   return sample;
 }

@@ -40,6 +40,42 @@ TEST(Fragmentation, EveryFragmentFitsASample) {
   }
 }
 
+// A long job on a robot has megabytes of them.
+TEST(Fragmentation, RecordingsAreCutOverFragmentsBehindTraceAndMeasures) {
+  for (const std::size_t octets : {std::size_t{1}, std::size_t{60'000}, std::size_t{70'000}, std::size_t{3'000'000}}) {
+    JobResult result = whole_result(100, 1, 100);
+    result.recording = testing::Values(5).octets(octets);
+    const auto parts = fragments(result);
+    EXPECT_EQ(parts.size() > 1, octets > 50'000);
+    Assembler assembler;
+    std::optional<JobResult> assembled;
+    for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
+      EXPECT_LE(wire_bytes(*part), maximum_sample_bytes - 256);
+      assembled = assembler.add(worker, sweep, *part);
+    }
+    EXPECT_EQ(assembled, result);
+  }
+}
+
+// Neither has a digest.
+TEST(Fragmentation, TwoAttemptsThatFailedAreNotPutTogether) {
+  JobResult first = whole_result(0);
+  first.kind = ResultKind::failed;
+  first.digest = {};
+  first.recording.assign(100'000, 1);
+  JobResult second = first;
+  ++second.lease;
+  second.recording.assign(100'000, 2);
+  Assembler assembler;
+  EXPECT_FALSE(assembler.add(worker, sweep, fragments(first).front()));
+  for (const auto& part : fragments(second)) {
+    if (const auto assembled = assembler.add(worker, sweep, part)) {
+      EXPECT_EQ(*assembled, second);
+    }
+  }
+  EXPECT_EQ(assembler.held_bytes(), 0u);
+}
+
 // A run with `record: details` has as many measures as rows of its trace.
 TEST(Fragmentation, MeasuresAreCutOverFragmentsLikeTheTrace) {
   for (const auto& [rows, measures] :

@@ -79,8 +79,8 @@ TEST_F(InMemoryBus, FateSeesTopicOrdinalSenderPartitionAndSample) {
   auto status_writer = worker->writer<WorkerStatus>();
   write_leases(*writer, 41, 42);
   ASSERT_TRUE(status_writer->write(status(1, 1)));
-  EXPECT_THAT(seen, ElementsAre("lamprey/2/lease 0 coordinator 5 41", "lamprey/2/lease 1 coordinator 5 42",
-                                "lamprey/2/worker_status 0 worker 0 other"));
+  EXPECT_THAT(seen, ElementsAre("lamprey/4/lease 0 coordinator 5 41", "lamprey/4/lease 1 coordinator 5 42",
+                                "lamprey/4/worker_status 0 worker 0 other"));
 }
 
 TEST_F(InMemoryBus, DroppedSampleReachesNeitherPresentNorLateReaders) {
@@ -190,7 +190,7 @@ TEST_F(InMemoryBus, KeepAllWriterIsFullUntilTheReaderTakes) {
   for (std::uint32_t i = 0; i < Topic<ResultBatch>::profile.depth; ++i) ASSERT_TRUE(writer->write({}));
   const WriteResult refused = writer->write({});
   EXPECT_EQ(refused.kind, WriteResult::Kind::full);
-  EXPECT_THAT(refused.error, ::testing::HasSubstr("lamprey/2/result"));
+  EXPECT_THAT(refused.error, ::testing::HasSubstr("lamprey/4/result"));
   EXPECT_EQ(reader->take(1).size(), 1u);
   EXPECT_TRUE(writer->write({}));
   EXPECT_EQ(reader->take().size(), Topic<ResultBatch>::profile.depth);

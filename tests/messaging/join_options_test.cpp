@@ -19,7 +19,9 @@ class JoinCommandLine : public ::testing::Test {
   void TearDown() override { clear(); }
 
   static void clear() {
-    for (const char* name : {"LAMPREY_DDS", "LAMPREY_DOMAIN", "ROS_DOMAIN_ID", "LAMPREY_ISOLATION"}) unsetenv(name);
+    for (const char* name : {"LAMPREY_DDS", "LAMPREY_DOMAIN", "ROS_DOMAIN_ID", "LAMPREY_ISOLATION", "LAMPREY_PEERS"}) {
+      unsetenv(name);
+    }
   }
 
   /// What went wrong, or nothing.
@@ -71,6 +73,19 @@ TEST_F(JoinCommandLine, EnvironmentFillsWhatTheCommandLineLeavesOpen) {
   EXPECT_EQ(options.vendor, "fastdds");
   EXPECT_EQ(options.domain, 7u);
   EXPECT_EQ(options.isolation, "mine");
+}
+
+TEST_F(JoinCommandLine, PeersOfTheEnvironmentAreASiteWideSettingThatTheCommandLineReplaces) {
+  setenv("LAMPREY_PEERS", "a.example,192.0.2.1", 1);
+  EXPECT_EQ(parse({}), "");
+  EXPECT_THAT(options.peers, ElementsAre("a.example", "192.0.2.1"));
+  EXPECT_EQ(parse({"--peer", "b.example"}), "");
+  EXPECT_THAT(options.peers, ElementsAre("b.example"));
+  EXPECT_EQ(parse({"--loopback-only"}), "") << "one machine needs none";
+  EXPECT_THAT(options.peers, ::testing::IsEmpty());
+  EXPECT_THAT(parse({"--loopback-only", "--peer", "b.example"}), HasSubstr("--peer"));
+  setenv("LAMPREY_PEERS", "a<b", 1);
+  EXPECT_THAT(parse({}), AllOf(HasSubstr("'a<b'"), HasSubstr("LAMPREY_PEERS")));
 }
 
 TEST_F(JoinCommandLine, RosDomainCountsWhereOursIsNotSet) {

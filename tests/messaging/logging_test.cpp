@@ -1,10 +1,13 @@
 #include "messaging/program/logging.hpp"
 
+#include "idl/client.pb.h"
+
 #include <chrono>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <spdlog/details/log_msg.h>
+#include <spdlog/spdlog.h>
 #include <string>
 
 namespace lamprey::messaging::program {
@@ -31,6 +34,21 @@ TEST(Logging, JsonLineParsesWhateverTheMessage) {
   EXPECT_EQ(event.at("level"), "warning");
   EXPECT_EQ(event.at("program"), "lamprey-worker");
   EXPECT_THAT(event.at("message").get<std::string>(), ::testing::StartsWith("quote \" line\nand "));
+}
+
+TEST(Logging, ProtobufWritesNoLinesOfItsOwn) {
+  // A client's request, forged: a name that is not UTF-8. Protobuf complains of it.
+  const std::string forged = "\x1a\x03\x0a\x01\xff";
+  const auto before = spdlog::default_logger();
+  ::testing::internal::CaptureStderr();
+  start_logging({.level = "debug", .format = "json"}, "lamprey-worker");
+  idl::Request request;
+  EXPECT_FALSE(request.ParseFromString(forged));
+  spdlog::set_default_logger(before);
+  const std::string line = ::testing::internal::GetCapturedStderr();
+  const auto event = nlohmann::json::parse(line);
+  EXPECT_EQ(event.at("level"), "debug");
+  EXPECT_THAT(event.at("message").get<std::string>(), ::testing::StartsWith("protobuf: "));
 }
 
 TEST(Logging, UnknownLevelAndFormatAreRefused) {

@@ -5,9 +5,11 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstring>
 #include <gtest/gtest.h>
 #include <memory>
 #include <stdexcept>
+#include <string>
 
 namespace lamprey::messaging::program {
 namespace {
@@ -26,8 +28,19 @@ TEST_P(Stop, SignalStopsTheTokenAndWakesTheProgram) {
   EXPECT_TRUE(stop.token().stop_requested());
 }
 
-INSTANTIATE_TEST_SUITE_P(Signals, Stop, ::testing::Values(SIGINT, SIGTERM),
-                         [](const auto& parameter) { return parameter.param == SIGINT ? "SIGINT" : "SIGTERM"; });
+INSTANTIATE_TEST_SUITE_P(Signals, Stop, ::testing::Values(SIGINT, SIGTERM, SIGHUP),
+                         [](const auto& parameter) { return std::string("SIG") + sigabbrev_np(parameter.param); });
+
+TEST(StopOnce, ATerminalThatGoesIsIgnoredUnderNohup) {
+  const auto previous = std::signal(SIGHUP, SIG_IGN);
+  {
+    StopOnSignal stop(nullptr);
+    struct sigaction now {};
+    sigaction(SIGHUP, nullptr, &now);
+    EXPECT_EQ(now.sa_handler, SIG_IGN);
+  }
+  EXPECT_EQ(std::signal(SIGHUP, previous), SIG_IGN);
+}
 
 TEST(StopOnce, OnlyOneAtATimeButAnyNumberInTurn) {
   {
