@@ -164,8 +164,26 @@ TEST_F(ProtocolFaults, LostAcknowledgementIsAnsweredAgainAsDuplicate) {
   EXPECT_EQ(site.computed(), 96U);
 }
 
-TEST_F(ProtocolFaults, LostSpecificationIsRepeated) {
+TEST_F(ProtocolFaults, AJobThatIsGivenBackIsLeasedAnew) {
   start();
+  std::set<std::uint64_t> given_back;
+  for (std::size_t worker = 0; worker < 2; ++worker) {
+    site.worker(worker).executor->gives_back = [&](const worker::Task& task) {
+      return task.job % 10 == 0 && given_back.insert(task.job).second;
+    };
+  }
+  site.submit(small_sweep("given-back"));
+  ASSERT_TRUE(site.run_to_end());
+  site.expect_complete();
+  EXPECT_EQ(given_back.size(), 10U);
+  EXPECT_EQ(site.number("SELECT count(*) FROM attempt"), 0U) << "nobody has failed";
+}
+
+TEST_F(ProtocolFaults, LostSpecificationIsRepeated) {
+  site.coordinator_options.newcomers_interval = site.coordinator_options.specification_interval =
+      std::chrono::seconds{5};
+  start();
+  site.advance(std::chrono::milliseconds{500});  // the workers are no newcomers any more
   const Fault<SweepSpecification> fault(site, Fate::drop, 1);
   site.submit(small_sweep("lost-specification"));
   ASSERT_TRUE(site.run_to_end());
@@ -174,7 +192,10 @@ TEST_F(ProtocolFaults, LostSpecificationIsRepeated) {
 }
 
 TEST_F(ProtocolFaults, SpecificationThatComesAfterTheLeaseIsWaitedFor) {
+  site.coordinator_options.newcomers_interval = site.coordinator_options.specification_interval =
+      std::chrono::seconds{5};
   start();
+  site.advance(std::chrono::milliseconds{500});  // the workers are no newcomers any more
   const Fault<SweepSpecification> fault(site, Fate::hold, 1);
   site.submit(small_sweep("late-specification"));
   site.advance(std::chrono::milliseconds{500});

@@ -297,7 +297,7 @@ TEST_F(ProtocolRules, AnotherSweepOfTheSameNameIsRefused) {
       experiment::parse_sweep(small_sweep("rules", 20), "test").specification;
   const auto reply = site.ask(request);
   ASSERT_TRUE(reply.has_error());
-  EXPECT_EQ(reply.error().code(), "name_taken");
+  EXPECT_EQ(reply.error().code(), "sweep_changed");
 }
 
 TEST_F(ProtocolRules, InvalidSpecificationIsRefusedByTheCoordinatorToo) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <gtest/gtest.h>
+#include <sqlite3.h>
 #include <unistd.h>
 #include <utility>
 
@@ -33,8 +34,17 @@ std::vector<worker::FinishedTask> SteppedExecutor::take_finished() {
   const std::size_t count = std::min(jobs_per_step, queue_.size());
   for (std::size_t i = 0; i < count; ++i) {
     if (before_job) before_job(queue_[i]);
+    if (gives_back && gives_back(queue_[i])) {
+      finished.push_back({queue_[i], {.identity = {}, .result = experiment::Interrupted{}}});
+      continue;
+    }
     computed.insert(queue_[i].job);
     const std::vector<experiment::Job> job{queue_[i].grid->job(queue_[i].job)};
+    if (fails && fails(queue_[i])) {
+      const auto identity = experiment::identity(job.front());
+      finished.push_back({queue_[i], {identity, experiment::Failure{"it was told to"}}});
+      continue;
+    }
     auto results = engine_->run(job, {});
     finished.push_back({queue_[i], std::move(results.front())});
   }
@@ -62,8 +72,9 @@ Site::~Site() {
 
 void Site::start_coordinator() {
   coordinator_participant_ = bus.join("coordinator");
-  coordinator_ = std::make_unique<coordinator::Coordinator>(
-      *coordinator_participant_, storage::ResultsStore(database().string()), signal_, coordinator_options, now);
+  coordinator_ = std::make_unique<coordinator::Coordinator>(*coordinator_participant_,
+                                                            storage::ResultsStore(database().string(), {.vfs = vfs}),
+                                                            signal_, coordinator_options, now);
 }
 
 void Site::kill_coordinator() {
@@ -74,25 +85,38 @@ void Site::kill_coordinator() {
 
 Site::WorkerProcess& Site::start_worker() {
   auto process = std::make_unique<WorkerProcess>();
+  process->executor = std::make_unique<SteppedExecutor>();
+  process->executor->jobs_per_step = jobs_per_step;
+  auto& executor = *process->executor;
+  return start(std::move(process), executor);
+}
+
+Site::WorkerProcess& Site::start_worker(std::unique_ptr<worker::JobExecutor> own) {
+  auto process = std::make_unique<WorkerProcess>();
+  process->own_executor = std::move(own);
+  auto& executor = *process->own_executor;
+  return start(std::move(process), executor);
+}
+
+Site::WorkerProcess& Site::start(std::unique_ptr<WorkerProcess> process, worker::JobExecutor& executor) {
   process->incarnation = next_incarnation_++;
   process->name = "worker " + std::to_string(process->incarnation);
   process->participant = bus.join(process->name);
-  process->executor = std::make_unique<SteppedExecutor>();
-  process->executor->jobs_per_step = jobs_per_step;
   worker::WorkerOptions options;
   options.incarnation = process->incarnation;
   options.host = "host";
   options.process = static_cast<std::uint32_t>(process->incarnation);
   options.build = "test";
+  options.processor = "a processor";
   options.outbox = outbox_options;
-  process->worker = std::make_unique<worker::Worker>(*process->participant, *process->executor, signal_, options, now);
+  process->worker = std::make_unique<worker::Worker>(*process->participant, executor, signal_, options, now);
   return *workers_.emplace_back(std::move(process));
 }
 
 void Site::kill_worker(std::size_t index) {
   auto& process = *workers_.at(index);
   bus.kill(process.name);
-  computed_by_the_dead_ += process.executor->computed.size();
+  if (process.executor) computed_by_the_dead_ += process.executor->computed.size();
   process.worker.reset();
   process.participant.reset();
   workers_.erase(workers_.begin() + static_cast<std::ptrdiff_t>(index));
@@ -155,6 +179,13 @@ std::uint64_t Site::number(const std::string& sql) {
   return std::stoull(storage::ResultsReader(database().string()).query(sql).rows.at(0).at(0));
 }
 
+void Site::write(const std::string& sql) {
+  sqlite3* handle = nullptr;
+  ASSERT_EQ(sqlite3_open(database().c_str(), &handle), SQLITE_OK);
+  EXPECT_EQ(sqlite3_exec(handle, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sqlite3_errmsg(handle);
+  sqlite3_close(handle);
+}
+
 std::uint64_t Site::rows(const std::string& where) {
   return number("SELECT count(*) FROM job WHERE " + where);
 }
@@ -193,7 +224,7 @@ void Site::expect_complete() {
 
 std::size_t Site::computed() const {
   std::size_t count = computed_by_the_dead_;
-  for (const auto& process : workers_) count += process->executor->computed.size();
+  for (const auto& process : workers_) count += process->executor ? process->executor->computed.size() : 0;
   return count;
 }
 

@@ -27,6 +27,8 @@ class SteppedExecutor final : public worker::JobExecutor {
  public:
   std::size_t jobs_per_step = 4;
   std::function<void(const worker::Task&)> before_job;  ///< may kill the worker by throwing WorkerDied
+  std::function<bool(const worker::Task&)> fails;       ///< instead of being computed
+  std::function<bool(const worker::Task&)> gives_back;  ///< likewise
   std::multiset<std::uint64_t> computed;
 
   struct WorkerDied {};
@@ -34,8 +36,11 @@ class SteppedExecutor final : public worker::JobExecutor {
   std::size_t wanted() const override { return jobs_per_step - std::min(jobs_per_step, queue_.size()); }
   void submit(std::vector<worker::Task> tasks) override;
   std::vector<worker::FinishedTask> take_finished() override;
+  std::vector<messaging::Checkpoint> take_checkpoints() override { return {}; }
   std::vector<messaging::RunningJob> running() const override;
   void drop(const experiment::Id128& database, std::uint64_t lease) override;
+  /// Nothing runs between two steps.
+  void interrupt(const experiment::Id128& database, std::uint64_t lease) override { drop(database, lease); }
   void stop() override { queue_.clear(); }
   bool idle() const override { return queue_.empty(); }
   std::uint32_t threads() const override { return 1; }
@@ -57,11 +62,13 @@ class Site {
   coordinator::CoordinatorOptions coordinator_options;
   worker::OutboxOptions outbox_options;
   std::size_t jobs_per_step = 4;
+  std::string vfs;  ///< SQLite's, of the database; empty: the default one
 
   struct WorkerProcess {
     std::string name;
     std::unique_ptr<messaging::Participant> participant;
-    std::unique_ptr<SteppedExecutor> executor;
+    std::unique_ptr<SteppedExecutor> executor;  ///< none if the test has brought its own
+    std::unique_ptr<worker::JobExecutor> own_executor;
     std::unique_ptr<worker::Worker> worker;
     std::uint64_t incarnation = 0;
   };
@@ -70,6 +77,8 @@ class Site {
   void kill_coordinator();
   bool coordinator_runs() const { return coordinator_ != nullptr; }
   WorkerProcess& start_worker();
+  /// With an executor of the test's own.
+  WorkerProcess& start_worker(std::unique_ptr<worker::JobExecutor> executor);
   void kill_worker(std::size_t index);
   WorkerProcess& worker(std::size_t index) { return *workers_.at(index); }
   std::size_t workers() const { return workers_.size(); }
@@ -89,6 +98,8 @@ class Site {
 
   std::uint64_t rows(const std::string& where = "1");
   std::uint64_t number(const std::string& sql);
+  /// Changes the database behind everybody's back.
+  void write(const std::string& sql);
   /// Every job of every submitted sweep has exactly one row, done, with the digest of an undisturbed computation.
   void expect_complete();
   /// How often jobs were computed over all workers that ever lived.
@@ -98,6 +109,8 @@ class Site {
   std::filesystem::path database() const { return directory_ / "results.db"; }
 
  private:
+  WorkerProcess& start(std::unique_ptr<WorkerProcess> process, worker::JobExecutor& executor);
+
   std::filesystem::path directory_;
   std::shared_ptr<messaging::Signal> signal_ = std::make_shared<messaging::Signal>();
   std::unique_ptr<messaging::Participant> coordinator_participant_;

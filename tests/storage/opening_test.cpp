@@ -2,6 +2,7 @@
 #include "storage/schema.hpp"
 #include "tests/storage/support.hpp"
 
+#include <cerrno>
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -105,15 +106,20 @@ TEST_F(OpeningTest, NewerSchemaThatStandsInTheLogOnlyIsRefused) {
 TEST_F(OpeningTest, NewerSchemaIsNamedWithWhatThisProgramKnows) {
   const auto path = make_database();
   raw_connection(path).execute("PRAGMA user_version = 7");
-  expect_refused(path, Kind::newer_schema, "(schema version 7, this program knows up to 2)");
+  expect_refused(path, Kind::newer_schema, "(schema version 7, this program knows up to 4)");
 }
 
 TEST_F(OpeningTest, OtherScienceIsRefusedForWritingAndReadable) {
   const auto path = make_database();
   raw_connection(path).execute("UPDATE database SET science_version = science_version + 1");
   const auto before = bytes_of(path);
-  EXPECT_EQ(error_of([&] { ResultsStore store(path); }), Kind::other_science);
-  EXPECT_EQ(error_of([&] { verify(path); }), Kind::other_science);
+  std::string message;
+  EXPECT_EQ(error_of([&] { ResultsStore store(path); }, &message), Kind::other_science);
+  EXPECT_THAT(message, AllOf(HasSubstr("science version " + std::to_string(experiment::science_version + 1)),
+                             HasSubstr("computes those of " + std::to_string(experiment::science_version)),
+                             HasSubstr("use another database, or the Lamprey that wrote this one")));
+  EXPECT_EQ(error_of([&] { verify(path); }, &message), Kind::other_science);
+  EXPECT_THAT(message, HasSubstr("check it with the Lamprey that wrote it"));
   EXPECT_EQ(ResultsReader(path).science_version(), experiment::science_version + 1);
   EXPECT_EQ(bytes_of(path), before);
 }
@@ -179,7 +185,24 @@ TEST(ErrorKind, FollowsSqlitesResultCode) {
   EXPECT_EQ(error_kind(SQLITE_CORRUPT_INDEX), Kind::corrupt);
   EXPECT_EQ(error_kind(SQLITE_NOTADB), Kind::not_a_database);
   EXPECT_EQ(error_kind(SQLITE_IOERR_FSYNC), Kind::input_output);
+  EXPECT_EQ(error_kind(SQLITE_READONLY), Kind::read_only);
+  EXPECT_EQ(error_kind(SQLITE_READONLY_DIRECTORY), Kind::read_only);
   EXPECT_EQ(error_kind(SQLITE_READONLY_DBMOVED), Kind::input_output);
+  EXPECT_EQ(error_kind(SQLITE_BUSY_SNAPSHOT), Kind::busy);
+  EXPECT_EQ(error_kind(SQLITE_PROTOCOL), Kind::busy);
+}
+
+TEST(ErrorKind, FollowsTheSystemsReasonWhereSqliteHasNone) {
+  EXPECT_EQ(error_kind(SQLITE_IOERR_WRITE, ENOSPC), Kind::full);
+  EXPECT_EQ(error_kind(SQLITE_IOERR_WRITE, EDQUOT), Kind::full);
+  EXPECT_EQ(error_kind(SQLITE_IOERR_SHMSIZE, ENOSPC), Kind::full);
+  EXPECT_EQ(error_kind(SQLITE_IOERR_WRITE, EROFS), Kind::read_only);
+  EXPECT_EQ(error_kind(SQLITE_IOERR_WRITE, EIO), Kind::input_output);
+  EXPECT_EQ(error_kind(SQLITE_CANTOPEN, EACCES), Kind::read_only);
+  EXPECT_EQ(error_kind(SQLITE_CANTOPEN, ENOENT), Kind::missing);
+  EXPECT_EQ(error_kind(SQLITE_CANTOPEN, EMFILE), Kind::input_output);
+  // What SQLite says itself counts more than what the system said last.
+  EXPECT_EQ(error_kind(SQLITE_CORRUPT, ENOSPC), Kind::corrupt);
 }
 
 }  // namespace

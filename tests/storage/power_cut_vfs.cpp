@@ -166,7 +166,9 @@ struct PowerCutMethods {
   static int sleep(sqlite3_vfs* vfs, int microseconds) { return of(vfs).real_->xSleep(of(vfs).real_, microseconds); }
   static int current_time(sqlite3_vfs* vfs, double* days) { return of(vfs).real_->xCurrentTime(of(vfs).real_, days); }
   static int last_error(sqlite3_vfs* vfs, int size, char* text) {
-    return of(vfs).real_->xGetLastError(of(vfs).real_, size, text);
+    auto& self = of(vfs);
+    if (self.fail_at_ && self.system_error_ != 0) return self.system_error_;
+    return self.real_->xGetLastError(self.real_, size, text);
   }
 
   static constexpr sqlite3_io_methods methods = {
@@ -216,9 +218,10 @@ PowerCutVfs::~PowerCutVfs() {
   sqlite3_vfs_unregister(vfs_.get());
 }
 
-void PowerCutVfs::fail_from(std::uint64_t operation, int code) {
+void PowerCutVfs::fail_from(std::uint64_t operation, int code, int system_error) {
   fail_at_ = operations_ + operation;
   fail_code_ = code;
+  system_error_ = system_error;
 }
 
 std::optional<int> PowerCutVfs::refuse(int code) {

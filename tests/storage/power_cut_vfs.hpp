@@ -33,8 +33,9 @@ class PowerCutVfs {
   void cut_now() { cut_ = true; }
   bool is_cut() const { return cut_; }
 
-  /// From the n-th operation on they fail with this result code, until repair(); nothing is lost.
-  void fail_from(std::uint64_t operation, int code);
+  /// From the n-th operation on they fail with this result code, and the system's reason where it has one, until
+  /// repair(); nothing is lost.
+  void fail_from(std::uint64_t operation, int code, int system_error = 0);
   void repair() { fail_at_.reset(); }
 
   /// Counted since the VFS was made.
@@ -77,6 +78,7 @@ class PowerCutVfs {
   bool cut_ = false;
   std::optional<std::uint64_t> fail_at_;
   int fail_code_ = SQLITE_OK;
+  int system_error_ = 0;
 };
 
 }  // namespace lamprey::storage::testing

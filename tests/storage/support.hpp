@@ -36,6 +36,14 @@ struct SweepCase {
 /// mutation × steps × acceptance, `replicates` times: 18 jobs each.
 SweepCase operator_sweep(const std::string& name, std::uint32_t replicates = 1);
 
+/// robot (bridge, quadruped) × mutation (all, one) × acceptance (simple, annealing): jobs 0 to 3 are on a robot, 4 to 7
+/// their simulations.
+SweepCase robot_sweep(const std::string& name);
+
+/// What a robot may have recorded in three tries, the same for the same number: evaluation 0 twice, void after one time
+/// step and then whole, and evaluation 1.
+RobotRecording made_up_recording(std::uint64_t number);
+
 /// Any specification.
 SweepCase sweep_case(const idl::SweepSpecification& specification, const std::string& source = "");
 

@@ -15,6 +15,7 @@ class VerifyTest : public ::testing::Test {
  protected:
   VerifyTest() {
     ResultsStore store(path_);
+    sweep_.what.execution = "how";
     const auto row = store.add_sweep(sweep_.what).sweep.row;
     Batch batch;
     batch.workers.push_back({.incarnation = 7, .host = "a", .process = 1, .threads = 2, .build = "b", .dds = "c"});
@@ -154,9 +155,10 @@ TEST_F(FlipTest, AnyFlipInAJobOfAnotherReplicateOrWithoutAnOutcomeIsFound) {
 }
 
 TEST_F(FlipTest, AnyFlipInASweepIsFound) {
-  expect_every_flip_found("sweep", "true",
-                          {"id", "name", "specification", "source", "seed", "replicates", "jobs", "science_version",
-                           "checksum", "state", "done", "failed", "quarantined", "cancelled", "divergences"});
+  expect_every_flip_found(
+      "sweep", "true",
+      {"id", "name", "specification", "source", "seed", "replicates", "jobs", "science_version", "checksum", "state",
+       "done", "failed", "quarantined", "cancelled", "divergences", "reused", "audited", "fresh", "execution"});
   expect_every_flip_found("divergence", "true", {"stored", "job"});
 }
 
