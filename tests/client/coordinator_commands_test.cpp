@@ -1,4 +1,4 @@
-#include "tests/client/site.hpp"
+#include "tests/client/running_coordinator.hpp"
 
 #include <gtest/gtest.h>
 
@@ -50,7 +50,9 @@ TEST_F(CoordinatorCommandsTest, AnotherSweepOfTheSameNameIsRefused) {
   other.replace(other.find("seed: 7"), 7, "seed: 8");
   const auto run = site.run({"submit", site.file("other.yaml", other), "--format", "json"});
   EXPECT_EQ(run.exit_code, 2);
-  EXPECT_EQ(run.json()["error"]["code"], "name_taken");
+  EXPECT_EQ(run.json()["error"]["code"], "sweep_changed");
+  EXPECT_EQ(run.json()["error"]["details"], client::Json::parse(R"(["seed: 7, now 8"])"));
+  EXPECT_EQ(site.run({"submit", site.path("other.yaml"), "--name", "other"}).exit_code, 0);
 }
 
 TEST_F(CoordinatorCommandsTest, SubmitWaitsForTheEndAndTheResultsCanBeAskedFor) {

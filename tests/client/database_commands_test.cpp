@@ -98,7 +98,9 @@ TEST_F(DatabaseCommandsTest, ReplayOfAnotherBuildsDigestIsNoMismatchWhereOnlyThe
   const auto unknown = site.run({"replay", "outside", "3", "--database", database});
   EXPECT_EQ(unknown.exit_code, 2);
   EXPECT_NE(unknown.err.find("was computed by a build that is not known"), std::string::npos) << unknown.err;
-  change("INSERT INTO worker VALUES (7, 'host', 1, 1, '0.0.1', 'x', 0, 0)");
+  change(
+      "INSERT INTO worker (worker, host, process, threads, build, dds, first_seen, last_seen) "
+      "VALUES (7, 'host', 1, 1, '0.0.1', 'x', 0, 0)");
   const auto other = site.run({"replay", "outside", "3", "--database", database});
   EXPECT_EQ(other.exit_code, 2);
   EXPECT_NE(other.err.find("was computed by build 0.0.1"), std::string::npos) << other.err;
@@ -167,6 +169,37 @@ TEST_F(DatabaseCommandsTest, WhatIsNoDatabaseEndsWithSix) {
   EXPECT_FALSE(std::filesystem::exists(site.path("nothing.db")));
 }
 
+TEST_F(DatabaseCommandsTest, BackupSaysWhatItHasCopiedAndTheCopyIsTheSame) {
+  const auto copy = site.path("copy.db");
+  const auto run = site.run({"backup", database, copy, "--format", "json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto json = run.json();
+  EXPECT_EQ(json["schema"], "lamprey/backup/1");
+  EXPECT_EQ(json["database"], database);
+  EXPECT_EQ(json["target"], copy);
+  EXPECT_EQ(json["sweeps"], 1);
+  EXPECT_EQ(json["jobs"], 6);
+  EXPECT_EQ(json["bytes"], std::filesystem::file_size(copy));
+  EXPECT_EQ(json["schema_version"], 4);
+  EXPECT_EQ(site.run({"verify", copy}).exit_code, 0);
+  const auto rows = [&](const std::string& path) {
+    return site.run({"results", "small", "--database", path, "--format", "csv"}).out;
+  };
+  EXPECT_EQ(rows(copy), rows(database));
+}
+
+TEST_F(DatabaseCommandsTest, BackupReplacesOnlyWhenToldTo) {
+  const auto copy = site.path("copy.db");
+  EXPECT_NE(site.run({"backup", database, copy}).out.find("copy.db: 1 sweep with 6 ended jobs, "), std::string::npos);
+  const auto again = site.run({"backup", database, copy, "--format", "json"});
+  EXPECT_EQ(again.exit_code, 2);
+  EXPECT_EQ(again.json()["error"]["code"], "not_possible");
+  EXPECT_NE(site.run({"backup", database, copy}).err.find("copy.db: exists already"), std::string::npos);
+  EXPECT_EQ(site.run({"backup", database, copy, "--replace"}).exit_code, 0);
+  EXPECT_EQ(site.run({"backup", database, database, "--replace"}).exit_code, 2);
+  EXPECT_EQ(site.run({"backup", site.path("none.db"), copy, "--replace"}).exit_code, 6);
+}
+
 TEST_F(DatabaseCommandsTest, RunOfAnEndedSweepOnlySaysSo) {
   std::string yaml = small_sweep;
   const auto file = site.file("small.yaml", yaml);
@@ -187,7 +220,7 @@ TEST_F(DatabaseCommandsTest, RunOfAnotherSweepUnderTheSameNameChangesNothing) {
   const auto before = std::filesystem::last_write_time(database);
   const auto run = site.run({"run", site.file("other.yaml", other), "--database", database, "--format", "json"});
   EXPECT_EQ(run.exit_code, 2);
-  EXPECT_EQ(run.json()["error"]["code"], "name_taken");
+  EXPECT_EQ(run.json()["error"]["code"], "sweep_changed");
   EXPECT_EQ(std::filesystem::last_write_time(database), before);
 }
 

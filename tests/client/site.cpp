@@ -1,10 +1,8 @@
 #include "tests/client/site.hpp"
 
-#include "coordinator/coordinator.hpp"
 #include "experiment/batch_engine.hpp"
 #include "experiment/sweep.hpp"
 #include "storage/results_store.hpp"
-#include "worker/worker.hpp"
 
 #include <fstream>
 #include <unistd.h>
@@ -18,6 +16,20 @@ const char* const small_sweep =
     "grids:\n"
     "  - {steps: [uniform, normal], required_fuel: [25, 50]}\n"
     "replicates: 2\n";
+
+namespace {
+
+/// Sees the same whenever it looks.
+class StandingWatch final : public messaging::discovery::Watch {
+ public:
+  explicit StandingWatch(messaging::discovery::DomainView view) : view_(std::move(view)) {}
+  messaging::discovery::DomainView look() override { return view_; }
+
+ private:
+  messaging::discovery::DomainView view_;
+};
+
+}  // namespace
 
 Site::Site() {
   static std::atomic<int> counter{0};
@@ -34,9 +46,14 @@ ToolRun Site::run(const std::vector<std::string>& arguments, std::size_t columns
   std::ostringstream out;
   std::ostringstream err;
   const client::output::Console console{.out = out, .err = err, .columns = columns};
-  const client::Environment environment{.join = [this](const messaging::JoinOptions&) { return bus.join("client"); },
-                                        .interrupted = [this] { return interrupted.load(); },
-                                        .program_folder = directory_};
+  const auto join = [this](const messaging::JoinOptions& options) {
+    joined.push_back(options.vendor);
+    if (options.vendor == unjoinable) throw messaging::JoinError("no " + options.vendor + " here");
+    return bus.join("client");
+  };
+  const auto watch = [this](const messaging::JoinOptions&) { return std::make_unique<StandingWatch>(domain); };
+  const client::Environment environment{
+      .join = join, .watch = watch, .interrupted = [this] { return interrupted.load(); }, .program_folder = directory_};
   ToolRun run;
   run.exit_code = client::run_tool(arguments, console, environment);
   run.out = out.str();
@@ -84,34 +101,6 @@ std::string Site::database(const std::string& yaml, std::uint64_t done) const {
   }
   store.commit(batch);
   return path("results.db");
-}
-
-RunningCoordinator::RunningCoordinator(Site& site, const std::string& database, bool with_worker)
-    : site_(site), thread_([this, database, with_worker] { serve(database, with_worker); }) {}
-
-RunningCoordinator::~RunningCoordinator() {
-  stop_ = true;
-  thread_.join();
-}
-
-void RunningCoordinator::serve(std::string database, bool with_worker) {
-  const auto now = [] { return std::chrono::steady_clock::now(); };
-  const auto signal = std::make_shared<messaging::Signal>();
-  const auto participant = site_.bus.join("coordinator");
-  coordinator::Coordinator coordinator(*participant, storage::ResultsStore(database), signal, {}, now());
-  const auto worker_participant = site_.bus.join("worker");
-  const auto executor = worker::make_thread_pool(1, signal);
-  worker::WorkerOptions options;
-  options.incarnation = 0xabc;
-  options.host = "test-host";
-  options.build = "test";
-  worker::Worker worker(*worker_participant, *executor, signal, options, now());
-  while (!stop_) {
-    coordinator.step(now());
-    if (with_worker) worker.step(now());
-    signal->wait_for(std::chrono::milliseconds{5});
-  }
-  coordinator.finish(now());
 }
 
 }  // namespace lamprey::tests

@@ -9,7 +9,6 @@
 #include <memory>
 #include <sstream>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace lamprey::tests {
@@ -32,6 +31,9 @@ class Site {
 
   messaging::in_memory::Bus bus;
   std::atomic<bool> interrupted = false;
+  std::vector<std::string> joined;          ///< the vendors, in order
+  std::string unjoinable;                   ///< a vendor
+  messaging::discovery::DomainView domain;  ///< what discovery tells
 
   ToolRun run(const std::vector<std::string>& arguments, std::size_t columns = 100);
 
@@ -44,20 +46,6 @@ class Site {
 
  private:
   std::filesystem::path directory_;
-};
-
-/// A coordinator (with a worker, if wanted) on the site's bus, on a thread of its own.
-class RunningCoordinator {
- public:
-  RunningCoordinator(Site& site, const std::string& database, bool with_worker);
-  ~RunningCoordinator();
-
- private:
-  void serve(std::string database, bool with_worker);
-
-  Site& site_;
-  std::atomic<bool> stop_ = false;
-  std::thread thread_;
 };
 
 /// Eight quick jobs.
