@@ -12,7 +12,8 @@ MAY_INCLUDE = {
     "messaging": {"experiment"},
     "storage": {"experiment", "idl"},
     "coordinator": {"experiment", "idl", "messaging", "storage"},
-    "worker": {"experiment", "idl", "messaging"},
+    "worker": {"science", "experiment", "idl", "messaging"},
+    "robot_bridge": {"science", "experiment", "messaging"},
     "client": {"science", "experiment", "idl", "messaging", "storage"},
 }
 VENDORS = {
@@ -24,6 +25,7 @@ SYSTEM_OF = {
     "yaml-cpp/": {"experiment"},
     "Random123/": {"science"},
     "pagmo/": {"experiment"},
+    "asio": {"robot_bridge"},
 }
 
 

@@ -4,7 +4,8 @@ import re
 
 from support import FULL, Programs, ROOT
 
-PARTS = {"quickstart", "mutate-all", "mutate-one", "mutate-some"}  # of thesis-chapter-8, or for a first look
+# Of thesis-chapter-8, for a first look, or not of the thesis and in need of a robot (test_robot.py).
+PARTS = {"quickstart", "mutate-all", "mutate-one", "mutate-some", "robot"}
 MOST_CYCLES = 200
 MOST_REPLICATES = 2
 
