@@ -52,6 +52,9 @@ std::string configuration(const JoinOptions& options, std::optional<std::uint32_
   std::string internal = "<SocketReceiveBufferSize max=\"" + std::to_string(socket_receive_buffer_bytes) + "B\"/>";
   // By default 100 ms, of which a reader that has just been found waits for two before it gets its first sample.
   internal += "<HeartbeatInterval>20ms</HeartbeatInterval>";
+  // Fast DDS 2.9 drops keys of more than 16 octets unread, those of discovery among them: without their hashes it does
+  // not notice that a writer, a reader or a whole program has left until the program's lease ends.
+  internal += "<GenerateKeyhash>true</GenerateKeyhash>";
 
   std::string text = "<CycloneDDS><Domain Id=\"any\"><General>" + general + "</General><Discovery>" + discovery +
                      "</Discovery><Internal>" + internal + "</Internal></Domain></CycloneDDS>";

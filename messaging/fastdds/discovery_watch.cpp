@@ -94,9 +94,12 @@ class Census final : public dds::DomainParticipantListener {
     const auto& data = discovered.info;
     const Guid guid = guid_of(data.m_guid);
     const auto& octets = data.m_userData;
-    const bool there = discovered.status == rtps::ParticipantDiscoveryInfo::DISCOVERED_PARTICIPANT ||
-                       discovered.status == rtps::ParticipantDiscoveryInfo::CHANGED_QOS_PARTICIPANT;
+    const bool changed = discovered.status == rtps::ParticipantDiscoveryInfo::CHANGED_QOS_PARTICIPANT;
+    const bool there = changed || discovered.status == rtps::ParticipantDiscoveryInfo::DISCOVERED_PARTICIPANT;
     const std::scoped_lock lock(mutex_);
+    // Fast DDS lets go of its locks before it tells: what one thread tells of a participant that has announced itself
+    // once more may come after what another has told of its leaving.
+    if (changed && !participants_.contains(guid)) return;
     if (!there) {
       participants_.erase(guid);
       std::erase_if(endpoints_, [&](const auto& entry) { return entry.second.participant == guid; });
