@@ -27,7 +27,8 @@ std::string discovery_peers(const JoinOptions& options) {
 // buffers, and are what a keep-all writer is full at long before it holds as many samples as its profile says, if the
 // samples are large: one dead reader then holds it up until the participant's lease ends. Qualities of service, topic
 // by topic, are in endpoints.hpp.
-std::string configuration(const JoinOptions& options, std::optional<std::uint32_t> external_domain) {
+std::string configuration(const JoinOptions& options, std::optional<std::uint32_t> external_domain,
+                          KeyHashes key_hashes) {
   std::string general;
   if (options.loopback_only) {
     general += "<Interfaces><NetworkInterface address=\"127.0.0.1\" multicast=\"false\"/></Interfaces>";
@@ -54,7 +55,7 @@ std::string configuration(const JoinOptions& options, std::optional<std::uint32_
   internal += "<HeartbeatInterval>20ms</HeartbeatInterval>";
   // Fast DDS 2.9 drops keys of more than 16 octets unread, those of discovery among them: without their hashes it does
   // not notice that a writer, a reader or a whole program has left until the program's lease ends.
-  internal += "<GenerateKeyhash>true</GenerateKeyhash>";
+  if (key_hashes == KeyHashes::sent) internal += "<GenerateKeyhash>true</GenerateKeyhash>";
 
   std::string text = "<CycloneDDS><Domain Id=\"any\"><General>" + general + "</General><Discovery>" + discovery +
                      "</Discovery><Internal>" + internal + "</Internal></Domain></CycloneDDS>";

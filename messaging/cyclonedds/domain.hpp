@@ -1,5 +1,6 @@
 #pragma once
 
+#include "messaging/cyclonedds/configuration.hpp"
 #include "messaging/cyclonedds/entity.hpp"
 #include "messaging/port.hpp"
 
@@ -11,7 +12,7 @@ namespace lamprey::messaging::cyclonedds {
 /// which has one configuration and hands samples over without the network. The first takes the number that it has on
 /// the network, so that the user's configuration may address it; others only look like it from outside. Throws
 /// std::runtime_error with Cyclone's reason.
-Entity make_domain(const JoinOptions& options);
+Entity make_domain(const JoinOptions& options, KeyHashes key_hashes = KeyHashes::sent);
 
 /// The domain's number within the process.
 dds_domainid_t number_of(const Entity& domain);

@@ -18,7 +18,7 @@ class CycloneNode final
     : public Overrides<CycloneNode, ros2::Node, ros2::JointState, ros2::Diagnostics, ros2::JointCommand> {
  public:
   explicit CycloneNode(const JoinOptions& options)
-      : domain_(make_domain(options)),
+      : domain_(make_domain(options, KeyHashes::omitted)),
         participant_(dds_create_participant(number_of(domain_), make_participant_qos(options).get(), nullptr),
                      "participant") {}
 

@@ -44,6 +44,11 @@ TEST(CycloneConfiguration, MessagesOnANetworkAreOneFrameEach) {
   EXPECT_THAT(configuration(options, {}), Not(HasSubstr("MaxMessageSize")));
 }
 
+TEST(CycloneConfiguration, KeyHashesAreSentToAllButRos2) {
+  EXPECT_THAT(configuration({}, {}), HasSubstr("<GenerateKeyhash>true"));
+  EXPECT_THAT(configuration({}, {}, KeyHashes::omitted), Not(HasSubstr("GenerateKeyhash")));
+}
+
 TEST(CycloneConfiguration, PeerThatIsNoHostIsRefused) {
   JoinOptions options;
   options.peers = {"\"/><Tracing>"};
