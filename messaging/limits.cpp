@@ -104,6 +104,13 @@ std::optional<std::string> limit_violation(const SweepProgress& sample) {
   return std::move(check).violation();
 }
 
+std::optional<std::string> limit_violation(const Traffic& sample) {
+  Check check;
+  check.size("topics", sample.topics.size(), maximum_counters);
+  for (const auto& topic : sample.topics) check.text("topics.topic", topic.topic);
+  return std::move(check).violation();
+}
+
 std::optional<std::string> limit_violation(const RobotStatus& sample) {
   Check check;
   check.text("name", sample.name);

@@ -26,6 +26,7 @@ std::optional<std::string> limit_violation(const Checkpoint& sample);
 std::optional<std::string> limit_violation(const Request& sample);
 std::optional<std::string> limit_violation(const Reply& sample);
 std::optional<std::string> limit_violation(const SweepProgress& sample);
+std::optional<std::string> limit_violation(const Traffic& sample);
 std::optional<std::string> limit_violation(const RobotStatus& sample);
 std::optional<std::string> limit_violation(const RobotRequest& sample);
 std::optional<std::string> limit_violation(const RobotReply& sample);

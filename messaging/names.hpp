@@ -14,6 +14,9 @@ bool is_valid_isolation(std::string_view name);
 /// "<isolation>/common", or "<isolation>/" and the receiver as 16 hex digits.
 std::string partition_name(std::string_view isolation, Partition partition);
 
+/// Matches the common partition of every isolation, for readers that look at all of them.
+inline constexpr std::string_view common_partition_of_all = "*/common";
+
 /// Whether it looks like a host name or an address: 1 to 253 of A–Z a–z 0–9 _ . - :
 bool is_valid_peer(std::string_view host);
 

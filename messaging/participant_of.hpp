@@ -35,7 +35,7 @@ class Overrides<Derived, Base, Sample, Others...> : public Overrides<Derived, Ba
 /// `template <class Sample> std::unique_ptr<Reader<Sample>> open_reader(Partition, std::shared_ptr<Signal>)`.
 template <class Derived>
 using ParticipantOf = Overrides<Derived, Participant, WorkerStatus, SweepSpecification, Lease, ResultBatch,
-                                ResultAcknowledgement, Checkpoint, Request, Reply, SweepProgress, RobotStatus,
+                                ResultAcknowledgement, Checkpoint, Request, Reply, SweepProgress, Traffic, RobotStatus,
                                 RobotRequest, RobotReply, ServoCommand, ServoState>;
 
 }  // namespace lamprey::messaging

@@ -19,11 +19,15 @@ bool Signal::wait_for(std::chrono::milliseconds timeout) {
   return notified;
 }
 
-std::string user_data_of(const JoinOptions& options) {
+discovery::Introduction introduction_of(const JoinOptions& options) {
   auto introduction = options.introduction;
   introduction.isolation = options.isolation;
   introduction.wire = wire_version;
-  return discovery::user_data_of(introduction);
+  return introduction;
+}
+
+std::string user_data_of(const JoinOptions& options) {
+  return discovery::user_data_of(introduction_of(options));
 }
 
 }  // namespace lamprey::messaging

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "messaging/discovery/introduction.hpp"
+#include "messaging/discovery/domain_view.hpp"
 #include "messaging/samples.hpp"
 
 #include <chrono>
@@ -94,8 +94,8 @@ class TopicPorts : public TopicPort<Samples>... {
 /// A program's membership of the DDS domain. Writers and readers must be destroyed before it.
 /// make_writer and make_reader throw std::runtime_error with the vendor's reason; callable from any thread.
 class Participant : public TopicPorts<WorkerStatus, SweepSpecification, Lease, ResultBatch, ResultAcknowledgement,
-                                      Checkpoint, Request, Reply, SweepProgress, RobotStatus, RobotRequest, RobotReply,
-                                      ServoCommand, ServoState> {
+                                      Checkpoint, Request, Reply, SweepProgress, Traffic, RobotStatus, RobotRequest,
+                                      RobotReply, ServoCommand, ServoState> {
  public:
   template <class Sample>
   std::unique_ptr<Writer<Sample>> writer(Partition partition = Partition::common()) {
@@ -112,6 +112,12 @@ class Participant : public TopicPorts<WorkerStatus, SweepSpecification, Lease, R
 
   /// Samples that its readers have dropped since it joined, because no program of ours writes such. Any thread.
   virtual std::uint64_t malformed_samples() const = 0;
+
+  /// What its writers and readers have exchanged since it joined. Any thread.
+  virtual Traffic traffic() const = 0;
+
+  /// Whom discovery has found in the domain, of whatever isolation and make; without this participant. One thread.
+  virtual std::vector<discovery::Participant> others() = 0;
 };
 
 /// How a program joins; the command-line options of messaging/program/ fill it.
@@ -122,10 +128,13 @@ struct JoinOptions {
   std::vector<std::string> peers;     ///< hosts to look for without multicast; empty: multicast
   bool loopback_only = false;         ///< this machine only: no multicast, no other interface
   /// What everybody in the domain may know of the program; the isolation and the wire's version are added.
-  discovery::Introduction introduction;
+  discovery::Introduction introduction{};
 };
 
-/// The introduction as the participant announces it.
+/// The introduction with what joining adds.
+discovery::Introduction introduction_of(const JoinOptions& options);
+
+/// The same as the participant announces it.
 std::string user_data_of(const JoinOptions& options);
 
 /// Joining failed: no such vendor, a bad option, or the vendor's own reason.

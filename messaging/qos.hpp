@@ -35,6 +35,8 @@ inline constexpr QosProfile checkpoint{.depth = 16, .untaken = 64};
 inline constexpr QosProfile request{.transient_local = true, .depth = 8};
 inline constexpr QosProfile reply{.transient_local = true, .depth = 8};
 inline constexpr QosProfile progress{.transient_local = true};
+/// Once a second, for whoever looks.
+inline constexpr QosProfile traffic{.reliable = false};
 /// Of robots. A lost command or state costs an evaluation, a late one is worse than none; so few wait.
 inline constexpr QosProfile robot_status{.transient_local = true, .liveliness = std::chrono::milliseconds{2000}};
 /// Volatile: what somebody wished of a bridge that has ended must not turn the servos on by the next one.
@@ -94,6 +96,11 @@ template <>
 struct Topic<SweepProgress> {
   static constexpr std::string_view name = "lamprey/4/sweep_progress";
   static constexpr QosProfile profile = qos::progress;
+};
+template <>
+struct Topic<Traffic> {
+  static constexpr std::string_view name = "lamprey/4/traffic";
+  static constexpr QosProfile profile = qos::traffic;
 };
 template <>
 struct Topic<RobotStatus> {

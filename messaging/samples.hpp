@@ -3,6 +3,7 @@
 #include "experiment/identifiers.hpp"
 #include "experiment/outcome.hpp"
 #include "messaging/robot_samples.hpp"
+#include "messaging/traffic.hpp"
 
 #include <cstdint>
 #include <string>

@@ -9,6 +9,7 @@
 #include "messaging/qos.hpp"
 #include "messaging/ros2/limits.hpp"
 #include "messaging/ros2/topics.hpp"
+#include "messaging/traffic_counters.hpp"
 #include "messaging/tuning.hpp"
 
 #include <algorithm>
@@ -93,8 +94,9 @@ Entity make_topic(dds_entity_t participant) {
 template <class Sample>
 class CycloneWriter final : public Writer<Sample> {
  public:
-  CycloneWriter(dds_entity_t participant, const std::string& partition)
-      : topic_(make_topic<Sample>(participant)),
+  CycloneWriter(dds_entity_t participant, const std::string& partition, TopicCounters& counters)
+      : counters_(counters),
+        topic_(make_topic<Sample>(participant)),
         publisher_(dds_create_publisher(participant, make_partition_qos(partition).get(), nullptr), "publisher"),
         writer_(dds_create_writer(publisher_.get(), topic_.get(), make_writer_qos<Sample>().get(), nullptr),
                 "writer of " + std::string(Topic<Sample>::name)) {}
@@ -107,12 +109,14 @@ class CycloneWriter final : public Writer<Sample> {
     Arena arena;
     const auto wire = to_wire(sample, arena);
     const dds_return_t code = dds_write(writer_.get(), &wire);
+    counters_.count_write(code == DDS_RETCODE_OK);
     if (code == DDS_RETCODE_OK) return {};
     const auto kind = code == DDS_RETCODE_TIMEOUT ? WriteResult::Kind::full : WriteResult::Kind::failed;
     return {kind, describe("cannot write to " + topic, code)};
   }
 
  private:
+  TopicCounters& counters_;
   Entity topic_;
   Entity publisher_;
   Entity writer_;
@@ -123,8 +127,9 @@ template <class Sample>
 class CycloneReader final : public Reader<Sample> {
  public:
   CycloneReader(dds_entity_t participant, const std::string& partition, std::shared_ptr<Signal> signal,
-                std::shared_ptr<MalformedSamples> malformed)
-      : signal_(std::move(signal)),
+                std::shared_ptr<MalformedSamples> malformed, TopicCounters& counters)
+      : counters_(counters),
+        signal_(std::move(signal)),
         malformed_(std::move(malformed)),
         topic_(make_topic<Sample>(participant)),
         subscriber_(dds_create_subscriber(participant, make_partition_qos(partition).get(), nullptr), "subscriber"),
@@ -133,6 +138,15 @@ class CycloneReader final : public Reader<Sample> {
                 "reader of " + std::string(Topic<Sample>::name)) {}
 
   std::vector<Sample> take(std::size_t most) override {
+    auto samples = take_up_to(most);
+    counters_.count_read(samples.size());
+    return samples;
+  }
+
+ private:
+  static constexpr std::size_t loan_size = 64;
+
+  std::vector<Sample> take_up_to(std::size_t most) {
     std::vector<Sample> samples;
     while (samples.size() < most) {
       const std::size_t chunk = std::min(most - samples.size(), loan_size);
@@ -141,9 +155,6 @@ class CycloneReader final : public Reader<Sample> {
     if (signal_) signal_->notify();  // there may be more, and no other sample need come to say so
     return samples;
   }
-
- private:
-  static constexpr std::size_t loan_size = 64;
 
   static Listener make_listener(Signal* signal) {
     Listener listener(dds_create_listener(signal));
@@ -201,6 +212,7 @@ class CycloneReader final : public Reader<Sample> {
     ~Return() { dds_return_loan(reader, loans, count); }
   };
 
+  TopicCounters& counters_;
   std::shared_ptr<Signal> signal_;
   std::shared_ptr<MalformedSamples> malformed_;
   Entity topic_;

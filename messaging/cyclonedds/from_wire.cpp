@@ -52,6 +52,11 @@ bool convert(const lamprey_wire_Counter& wire, Counter& counter) {
   return true;
 }
 
+bool convert(const lamprey_wire_TopicTraffic& wire, TopicTraffic& topic) {
+  topic = {.topic = text(wire.topic), .written = wire.written, .refused = wire.refused, .read = wire.read};
+  return true;
+}
+
 bool convert(const lamprey_wire_HeldLease& wire, HeldLease& lease) {
   lease.database = {wire.database_high, wire.database_low};
   lease.epoch = wire.epoch;
@@ -222,6 +227,13 @@ bool from_wire(const lamprey_wire_SweepProgress& wire, SweepProgress& sample) {
   sample.seconds_left = wire.seconds_left;
   sample.workers = wire.workers;
   return convert(wire.origin, wire.worker, sample.origin);
+}
+
+bool from_wire(const lamprey_wire_Traffic& wire, Traffic& sample) {
+  std::ranges::copy(wire.participant, sample.participant.begin());
+  sample.seconds = wire.seconds;
+  sample.malformed = wire.malformed;
+  return convert_all(wire.topics, sample.topics, [](const auto& from, TopicTraffic& to) { return convert(from, to); });
 }
 
 }  // namespace lamprey::messaging::cyclonedds

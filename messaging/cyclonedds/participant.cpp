@@ -1,5 +1,6 @@
 #include "messaging/cyclonedds/participant.hpp"
 
+#include "messaging/cyclonedds/builtin_topics.hpp"
 #include "messaging/cyclonedds/domain.hpp"
 #include "messaging/cyclonedds/endpoints.hpp"
 #include "messaging/cyclonedds/entity.hpp"
@@ -9,6 +10,7 @@
 #include "messaging/participant_of.hpp"
 
 #include <dds/dds.h>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -25,21 +27,29 @@ class CycloneParticipant final : public ParticipantOf<CycloneParticipant> {
 
   template <class Sample>
   std::unique_ptr<Writer<Sample>> open_writer(Partition partition) {
-    return std::make_unique<CycloneWriter<Sample>>(participant_.get(), partition_name(isolation_, partition));
+    return std::make_unique<CycloneWriter<Sample>>(participant_.get(), partition_name(isolation_, partition),
+                                                   counters_.of(Topic<Sample>::name));
   }
   template <class Sample>
   std::unique_ptr<Reader<Sample>> open_reader(Partition partition, std::shared_ptr<Signal> signal) {
     return std::make_unique<CycloneReader<Sample>>(participant_.get(), partition_name(isolation_, partition),
-                                                   std::move(signal), malformed_);
+                                                   std::move(signal), malformed_, counters_.of(Topic<Sample>::name));
   }
   std::string vendor() const override { return "cyclonedds"; }
   std::uint64_t malformed_samples() const override { return malformed_->count(); }
+  Traffic traffic() const override { return counters_.so_far(guid_of(participant_.get()), malformed_samples()); }
+  std::vector<discovery::Participant> others() override {
+    if (!census_) census_.emplace(participant_.get());
+    return census_->participants();
+  }
 
  private:
+  TrafficCounters counters_;
   std::shared_ptr<MalformedSamples> malformed_ = std::make_shared<MalformedSamples>();
   std::string isolation_;
   Entity domain_;
   Entity participant_;
+  std::optional<Census> census_;  ///< from when somebody asks
 };
 
 }  // namespace

@@ -24,17 +24,19 @@ class CycloneNode final
 
   template <class Message>
   std::unique_ptr<Writer<Message>> open_writer(Partition) {
-    return std::make_unique<CycloneWriter<Message>>(participant_.get(), default_partition_);
+    return std::make_unique<CycloneWriter<Message>>(participant_.get(), default_partition_,
+                                                    counters_.of(Topic<Message>::name));
   }
   template <class Message>
   std::unique_ptr<Reader<Message>> open_reader(Partition, std::shared_ptr<Signal> signal) {
     return std::make_unique<CycloneReader<Message>>(participant_.get(), default_partition_, std::move(signal),
-                                                    malformed_);
+                                                    malformed_, counters_.of(Topic<Message>::name));
   }
   std::uint64_t malformed_samples() const override { return malformed_->count(); }
 
  private:
   const std::string default_partition_;
+  TrafficCounters counters_;
   std::shared_ptr<MalformedSamples> malformed_ = std::make_shared<MalformedSamples>();
   Entity domain_;
   Entity participant_;

@@ -67,6 +67,10 @@ lamprey_wire_Counter convert(const Counter& counter) {
   return {.name = lend(counter.name), .value = counter.value};
 }
 
+lamprey_wire_TopicTraffic convert(const TopicTraffic& topic) {
+  return {.topic = lend(topic.topic), .written = topic.written, .refused = topic.refused, .read = topic.read};
+}
+
 lamprey_wire_Score convert(const experiment::Score& score) {
   return {.stability = score.stability, .distance = score.distance, .fuel = score.fuel, .total = score.total};
 }
@@ -276,6 +280,15 @@ lamprey_wire_SweepProgress to_wire(const SweepProgress& sample, Arena&) {
   wire.jobs_per_second = sample.jobs_per_second;
   wire.seconds_left = sample.seconds_left;
   wire.workers = sample.workers;
+  return wire;
+}
+
+lamprey_wire_Traffic to_wire(const Traffic& sample, Arena& arena) {
+  lamprey_wire_Traffic wire{};
+  std::ranges::copy(sample.participant, std::begin(wire.participant));
+  wire.seconds = sample.seconds;
+  wire.malformed = sample.malformed;
+  convert_all(wire.topics, sample.topics, arena, [](const TopicTraffic& topic) { return convert(topic); });
   return wire;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "messaging/discovery/introduction.hpp"
+#include "messaging/traffic.hpp"
 
 #include <array>
 #include <chrono>
@@ -61,8 +62,9 @@ struct Endpoint {
 
 /// Sorted by GUID. Endpoints may be known before their participant.
 struct DomainView {
-  std::vector<Participant> participants;
-  std::vector<Endpoint> endpoints;
+  std::vector<Participant> participants{};
+  std::vector<Endpoint> endpoints{};
+  std::vector<Traffic> traffic{};  ///< the newest of each participant that counts
 };
 
 }  // namespace lamprey::messaging::discovery

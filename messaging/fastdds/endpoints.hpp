@@ -10,6 +10,7 @@
 #include "messaging/port.hpp"
 #include "messaging/ros2/limits.hpp"
 #include "messaging/ros2/topics.hpp"
+#include "messaging/traffic_counters.hpp"
 
 #include <cstddef>
 #include <fastdds/dds/subscriber/DataReaderListener.hpp>
@@ -51,8 +52,10 @@ inline const char* text_of(ReturnCode code) {
 template <class Sample>
 class FastWriter final : public Writer<Sample> {
  public:
-  FastWriter(dds::DomainParticipant& participant, dds::Topic& topic, const std::string& partition)
-      : publisher_(own(participant.create_publisher(publisher_qos(participant, partition)), "publisher")),
+  FastWriter(dds::DomainParticipant& participant, dds::Topic& topic, const std::string& partition,
+             TopicCounters& counters)
+      : counters_(counters),
+        publisher_(own(participant.create_publisher(publisher_qos(participant, partition)), "publisher")),
         writer_(own(publisher_->create_datawriter(&topic, writer_qos<Sample>(*publisher_)),
                     "writer of " + std::string(Topic<Sample>::name))) {}
 
@@ -60,6 +63,7 @@ class FastWriter final : public Writer<Sample> {
     if (auto violation = limit_violation(sample)) return {WriteResult::Kind::failed, cannot_write() + *violation};
     to_wire(sample, data_);
     const ReturnCode code = writer_->write(&data_, dds::HANDLE_NIL);
+    counters_.count_write(code == ReturnCode::RETCODE_OK);
     if (code == ReturnCode::RETCODE_OK) return {};
     const auto kind = code == ReturnCode::RETCODE_TIMEOUT ? WriteResult::Kind::full : WriteResult::Kind::failed;
     return {kind, cannot_write() + text_of(code) + " (Fast DDS " + std::to_string(code()) + ")"};
@@ -68,6 +72,7 @@ class FastWriter final : public Writer<Sample> {
  private:
   static std::string cannot_write() { return "cannot write to " + std::string(Topic<Sample>::name) + ": "; }
 
+  TopicCounters& counters_;
   typename Wire<Sample>::Type data_;  ///< kept for its memory: a batch of results has hundreds of vectors
   Owned<dds::Publisher> publisher_;
   Owned<dds::DataWriter> writer_;
@@ -90,8 +95,9 @@ template <class Sample>
 class FastReader final : public Reader<Sample> {
  public:
   FastReader(dds::DomainParticipant& participant, dds::Topic& topic, const std::string& partition,
-             std::shared_ptr<Signal> signal, std::shared_ptr<MalformedSamples> malformed)
-      : malformed_(std::move(malformed)),
+             std::shared_ptr<Signal> signal, std::shared_ptr<MalformedSamples> malformed, TopicCounters& counters)
+      : counters_(counters),
+        malformed_(std::move(malformed)),
         notifier_(std::move(signal)),
         subscriber_(own(participant.create_subscriber(subscriber_qos(participant, partition)), "subscriber")),
         reader_(own(subscriber_->create_datareader(&topic, reader_qos<Sample>(*subscriber_), &notifier_,
@@ -99,6 +105,13 @@ class FastReader final : public Reader<Sample> {
                     "reader of " + std::string(Topic<Sample>::name))) {}
 
   std::vector<Sample> take(std::size_t most) override {
+    auto samples = take_up_to(most);
+    counters_.count_read(samples.size());
+    return samples;
+  }
+
+ private:
+  std::vector<Sample> take_up_to(std::size_t most) {
     std::vector<Sample> samples;
     while (samples.size() < most) {
       dds::SampleInfo info;
@@ -115,7 +128,6 @@ class FastReader final : public Reader<Sample> {
     return samples;
   }
 
- private:
   static std::optional<std::string> fault_of(typename Wire<Sample>::Type& data, Sample& sample) {
     if (!from_wire(data, sample)) return "it has an unknown enumerator or columns of unequal length";
     return limit_violation(sample);
@@ -127,6 +139,7 @@ class FastReader final : public Reader<Sample> {
     return text.str();
   }
 
+  TopicCounters& counters_;
   typename Wire<Sample>::Type data_;  ///< kept for its memory
   std::shared_ptr<MalformedSamples> malformed_;
   Notifier notifier_;

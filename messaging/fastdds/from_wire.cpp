@@ -27,6 +27,11 @@ bool convert(wire::Counter& from, Counter& counter) {
   return true;
 }
 
+bool convert(wire::TopicTraffic& from, TopicTraffic& topic) {
+  topic = {.topic = std::move(from.topic()), .written = from.written(), .refused = from.refused(), .read = from.read()};
+  return true;
+}
+
 bool convert(wire::HeldLease& from, HeldLease& lease);
 bool convert(wire::Acknowledgement& from, Acknowledgement& acknowledgement);
 
@@ -157,6 +162,13 @@ bool from_wire(wire::SweepProgress& from, SweepProgress& sample) {
   sample.seconds_left = from.seconds_left();
   sample.workers = from.workers();
   return true;
+}
+
+bool from_wire(wire::Traffic& from, Traffic& sample) {
+  sample.participant = from.participant();
+  sample.seconds = from.seconds();
+  sample.malformed = from.malformed();
+  return convert_all(from.topics(), sample.topics);
 }
 
 }  // namespace lamprey::messaging::fastdds

@@ -1,5 +1,6 @@
 #include "messaging/fastdds/participant.hpp"
 
+#include "messaging/fastdds/census.hpp"
 #include "messaging/fastdds/configuration.hpp"
 #include "messaging/fastdds/endpoints.hpp"
 #include "messaging/fastdds/entity.hpp"
@@ -27,22 +28,25 @@ class FastParticipant final : public ParticipantOf<FastParticipant> {
  public:
   explicit FastParticipant(const JoinOptions& options)
       : isolation_(options.isolation),
-        participant_(own(
-            dds::DomainParticipantFactory::get_instance()->create_participant(options.domain, participant_qos(options)),
-            "a participant (is the network up, and are there fewer than " + std::to_string(participants_per_host) +
-                " programs of this domain on the host?)")) {}
+        participant_(own(dds::DomainParticipantFactory::get_instance()->create_participant(
+                             options.domain, participant_qos(options), &census_, dds::StatusMask::none()),
+                         "a participant (is the network up, and are there fewer than " +
+                             std::to_string(participants_per_host) + " programs of this domain on the host?)")) {}
 
   template <class Sample>
   std::unique_ptr<Writer<Sample>> open_writer(Partition partition) {
-    return std::make_unique<FastWriter<Sample>>(*participant_, topic<Sample>(), partition_name(isolation_, partition));
+    return std::make_unique<FastWriter<Sample>>(*participant_, topic<Sample>(), partition_name(isolation_, partition),
+                                                counters_.of(Topic<Sample>::name));
   }
   template <class Sample>
   std::unique_ptr<Reader<Sample>> open_reader(Partition partition, std::shared_ptr<Signal> signal) {
     return std::make_unique<FastReader<Sample>>(*participant_, topic<Sample>(), partition_name(isolation_, partition),
-                                                std::move(signal), malformed_);
+                                                std::move(signal), malformed_, counters_.of(Topic<Sample>::name));
   }
   std::string vendor() const override { return "fastdds"; }
   std::uint64_t malformed_samples() const override { return malformed_->count(); }
+  Traffic traffic() const override { return counters_.so_far(guid_of(participant_->guid()), malformed_samples()); }
+  std::vector<discovery::Participant> others() override { return census_.participants(); }
 
  private:
   template <class Sample>
@@ -56,13 +60,15 @@ class FastParticipant final : public ParticipantOf<FastParticipant> {
   }
 
   std::string isolation_;
+  TrafficCounters counters_;
+  ParticipantCensus census_;  ///< listens until the participant is gone
   std::shared_ptr<MalformedSamples> malformed_ = std::make_shared<MalformedSamples>();
   Owned<dds::DomainParticipant> participant_;
   std::mutex mutex_;
   std::tuple<Registered<WorkerStatus>, Registered<SweepSpecification>, Registered<Lease>, Registered<ResultBatch>,
              Registered<ResultAcknowledgement>, Registered<Checkpoint>, Registered<Request>, Registered<Reply>,
-             Registered<SweepProgress>, Registered<RobotStatus>, Registered<RobotRequest>, Registered<RobotReply>,
-             Registered<ServoCommand>, Registered<ServoState>>
+             Registered<SweepProgress>, Registered<Traffic>, Registered<RobotStatus>, Registered<RobotRequest>,
+             Registered<RobotReply>, Registered<ServoCommand>, Registered<ServoState>>
       topics_;
 };
 

@@ -136,6 +136,13 @@ bool lengths_are_possible<SweepProgress>(std::span<const std::uint8_t> payload) 
   return origin(walker.u64(3)).text().text().u64(8).real(2).u32().good();
 }
 
+template <>
+bool lengths_are_possible<Traffic>(std::span<const std::uint8_t> payload) {
+  Walker walker(payload);
+  walker.octets(16).real().u64();
+  return walker.sequence([](Walker& topic) { topic.text().u64(3); }).good();
+}
+
 // The types of idl/robot.idl.
 
 template <>

@@ -31,6 +31,8 @@ bool lengths_are_possible<Reply>(std::span<const std::uint8_t> payload);
 template <>
 bool lengths_are_possible<SweepProgress>(std::span<const std::uint8_t> payload);
 template <>
+bool lengths_are_possible<Traffic>(std::span<const std::uint8_t> payload);
+template <>
 bool lengths_are_possible<RobotStatus>(std::span<const std::uint8_t> payload);
 template <>
 bool lengths_are_possible<RobotRequest>(std::span<const std::uint8_t> payload);

@@ -37,12 +37,13 @@ class FastNode final : public Overrides<FastNode, ros2::Node, ros2::JointState, 
 
   template <class Message>
   std::unique_ptr<Writer<Message>> open_writer(Partition) {
-    return std::make_unique<FastWriter<Message>>(*participant_, topic<Message>(), default_partition_);
+    return std::make_unique<FastWriter<Message>>(*participant_, topic<Message>(), default_partition_,
+                                                 counters_.of(Topic<Message>::name));
   }
   template <class Message>
   std::unique_ptr<Reader<Message>> open_reader(Partition, std::shared_ptr<Signal> signal) {
     return std::make_unique<FastReader<Message>>(*participant_, topic<Message>(), default_partition_, std::move(signal),
-                                                 malformed_);
+                                                 malformed_, counters_.of(Topic<Message>::name));
   }
   std::uint64_t malformed_samples() const override { return malformed_->count(); }
 
@@ -56,6 +57,7 @@ class FastNode final : public Overrides<FastNode, ros2::Node, ros2::JointState, 
   }
 
   const std::string default_partition_;
+  TrafficCounters counters_;
   std::shared_ptr<MalformedSamples> malformed_ = std::make_shared<MalformedSamples>();
   Owned<dds::DomainParticipant> participant_;
   std::mutex mutex_;

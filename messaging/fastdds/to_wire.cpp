@@ -32,6 +32,13 @@ void convert(const Counter& counter, wire::Counter& to) {
   to.value(counter.value);
 }
 
+void convert(const TopicTraffic& topic, wire::TopicTraffic& to) {
+  to.topic(topic.topic);
+  to.written(topic.written);
+  to.refused(topic.refused);
+  to.read(topic.read);
+}
+
 void convert(const HeldLease& lease, wire::HeldLease& to);
 void convert(const Acknowledgement& acknowledgement, wire::Acknowledgement& to);
 
@@ -164,6 +171,13 @@ void to_wire(const SweepProgress& sample, wire::SweepProgress& to) {
   to.jobs_per_second(sample.jobs_per_second);
   to.seconds_left(sample.seconds_left);
   to.workers(sample.workers);
+}
+
+void to_wire(const Traffic& sample, wire::Traffic& to) {
+  to.participant(sample.participant);
+  to.seconds(sample.seconds);
+  to.malformed(sample.malformed);
+  convert_all(sample.topics, to.topics());
 }
 
 }  // namespace lamprey::messaging::fastdds

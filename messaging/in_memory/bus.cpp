@@ -4,6 +4,7 @@
 #include "messaging/limits.hpp"
 #include "messaging/participant_of.hpp"
 #include "messaging/qos.hpp"
+#include "messaging/traffic_counters.hpp"
 #include "messaging/tuning.hpp"
 
 #include <algorithm>
@@ -61,6 +62,8 @@ void keep_last(const Kind& kind, Entries& entries, const Entry& entry, std::size
 /// A participant as the bus sees it.
 struct Member {
   std::string name;
+  discovery::Guid guid{};
+  std::optional<discovery::Introduction> introduction{};
   bool connected = true;
   bool alive = true;
 };
@@ -107,9 +110,25 @@ constexpr std::size_t topic = AnySample(static_cast<const Sample*>(nullptr)).ind
 
 class State {
  public:
-  std::shared_ptr<Member> join(std::string name) {
+  std::shared_ptr<Member> join(std::string name, std::optional<discovery::Introduction> introduction) {
     const std::lock_guard lock(mutex_);
-    return members_.emplace_back(std::make_shared<Member>(Member{.name = std::move(name)}));
+    ++joined_;
+    discovery::Guid guid{};  // the number is enough: no vendor's begin with a zero
+    for (std::size_t i = 0; i < sizeof joined_; ++i)
+      guid[guid.size() - 1 - i] = static_cast<std::uint8_t>(joined_ >> (8 * i));
+    return members_.emplace_back(std::make_shared<Member>(
+        Member{.name = std::move(name), .guid = guid, .introduction = std::move(introduction)}));
+  }
+
+  /// Whom the member could meet.
+  std::vector<discovery::Participant> others(const Member& who) const {
+    const std::lock_guard lock(mutex_);
+    std::vector<discovery::Participant> all;
+    for (const auto& member : members_) {
+      if (member.get() == &who || !member->connected || !who.connected || !who.alive) continue;
+      all.push_back({member->guid, member->name, member->introduction});
+    }
+    return all;
   }
 
   void on_sample(std::function<Fate(const Envelope&)> decide) {
@@ -303,6 +322,7 @@ class State {
   mutable std::recursive_mutex mutex_;  // recursive: a fate function may call the bus
   std::function<Fate(const Envelope&)> decide_;
   std::vector<std::shared_ptr<Member>> members_;
+  std::uint64_t joined_ = 0;
   decltype(topics_of(AnySample{})) topics_ = topics_of(AnySample{});
 };
 
@@ -313,8 +333,8 @@ namespace {
 template <class Sample>
 class BusWriter final : public Writer<Sample> {
  public:
-  BusWriter(std::shared_ptr<detail::State> state, std::shared_ptr<detail::WriterEnd> end)
-      : state_(std::move(state)), end_(std::move(end)) {}
+  BusWriter(std::shared_ptr<detail::State> state, std::shared_ptr<detail::WriterEnd> end, TopicCounters& counters)
+      : counters_(counters), state_(std::move(state)), end_(std::move(end)) {}
   ~BusWriter() override { state_->remove(end_); }
   BusWriter(const BusWriter&) = delete;
   BusWriter& operator=(const BusWriter&) = delete;
@@ -324,10 +344,13 @@ class BusWriter final : public Writer<Sample> {
       return {WriteResult::Kind::failed, "cannot write to " + std::string(Topic<Sample>::name) + ": " + *violation};
     }
     const auto copy = std::make_shared<const Sample>(sample);
-    return state_->write(end_, copy, copy.get());
+    auto result = state_->write(end_, copy, copy.get());
+    counters_.count_write(static_cast<bool>(result));
+    return result;
   }
 
  private:
+  TopicCounters& counters_;
   std::shared_ptr<detail::State> state_;
   std::shared_ptr<detail::WriterEnd> end_;
 };
@@ -335,8 +358,8 @@ class BusWriter final : public Writer<Sample> {
 template <class Sample>
 class BusReader final : public Reader<Sample> {
  public:
-  BusReader(std::shared_ptr<detail::State> state, std::shared_ptr<detail::ReaderEnd> end)
-      : state_(std::move(state)), end_(std::move(end)) {}
+  BusReader(std::shared_ptr<detail::State> state, std::shared_ptr<detail::ReaderEnd> end, TopicCounters& counters)
+      : counters_(counters), state_(std::move(state)), end_(std::move(end)) {}
   ~BusReader() override { state_->remove(end_); }
   BusReader(const BusReader&) = delete;
   BusReader& operator=(const BusReader&) = delete;
@@ -346,35 +369,43 @@ class BusReader final : public Reader<Sample> {
     for (const auto& entry : state_->take(*end_, most)) {
       samples.push_back(*static_cast<const Sample*>(entry.sample.get()));
     }
+    counters_.count_read(samples.size());
     return samples;
   }
 
  private:
+  TopicCounters& counters_;
   std::shared_ptr<detail::State> state_;
   std::shared_ptr<detail::ReaderEnd> end_;
 };
 
 class BusParticipant final : public ParticipantOf<BusParticipant> {
  public:
-  BusParticipant(std::shared_ptr<detail::State> state, std::string name)
-      : state_(std::move(state)), member_(state_->join(std::move(name))) {}
+  BusParticipant(std::shared_ptr<detail::State> state, std::string name,
+                 std::optional<discovery::Introduction> introduction)
+      : state_(std::move(state)), member_(state_->join(std::move(name), std::move(introduction))) {}
   ~BusParticipant() override { state_->leave(member_); }
   BusParticipant(const BusParticipant&) = delete;
   BusParticipant& operator=(const BusParticipant&) = delete;
 
   template <class Sample>
   std::unique_ptr<Writer<Sample>> open_writer(Partition partition) {
-    return std::make_unique<BusWriter<Sample>>(state_, state_->add_writer(detail::topic<Sample>, member_, partition));
+    return std::make_unique<BusWriter<Sample>>(state_, state_->add_writer(detail::topic<Sample>, member_, partition),
+                                               counters_.of(Topic<Sample>::name));
   }
   template <class Sample>
   std::unique_ptr<Reader<Sample>> open_reader(Partition partition, std::shared_ptr<Signal> signal) {
     return std::make_unique<BusReader<Sample>>(
-        state_, state_->add_reader(detail::topic<Sample>, member_, partition, std::move(signal)));
+        state_, state_->add_reader(detail::topic<Sample>, member_, partition, std::move(signal)),
+        counters_.of(Topic<Sample>::name));
   }
   std::string vendor() const override { return "in_memory"; }
   std::uint64_t malformed_samples() const override { return 0; }
+  Traffic traffic() const override { return counters_.so_far(member_->guid, 0); }
+  std::vector<discovery::Participant> others() override { return state_->others(*member_); }
 
  private:
+  TrafficCounters counters_;
   std::shared_ptr<detail::State> state_;
   std::shared_ptr<detail::Member> member_;
 };
@@ -383,8 +414,8 @@ class BusParticipant final : public ParticipantOf<BusParticipant> {
 
 Bus::Bus() : state_(std::make_shared<detail::State>()) {}
 
-std::unique_ptr<Participant> Bus::join(std::string name) {
-  return std::make_unique<BusParticipant>(state_, std::move(name));
+std::unique_ptr<Participant> Bus::join(std::string name, std::optional<discovery::Introduction> introduction) {
+  return std::make_unique<BusParticipant>(state_, std::move(name), std::move(introduction));
 }
 void Bus::on_sample(std::function<Fate(const Envelope&)> decide) {
   state_->on_sample(std::move(decide));

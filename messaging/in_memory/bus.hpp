@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -36,7 +37,8 @@ struct Envelope {
   std::string_view sender;  ///< the participant's name
   std::variant<const WorkerStatus*, const SweepSpecification*, const Lease*, const ResultBatch*,
                const ResultAcknowledgement*, const Checkpoint*, const Request*, const Reply*, const SweepProgress*,
-               const RobotStatus*, const RobotRequest*, const RobotReply*, const ServoCommand*, const ServoState*>
+               const Traffic*, const RobotStatus*, const RobotRequest*, const RobotReply*, const ServoCommand*,
+               const ServoState*>
       sample;
 
   /// The sample, or nullptr if it is of another type.
@@ -64,7 +66,9 @@ class Bus {
   Bus();
 
   /// `name` is the sender in envelopes and what the faults below address; several participants may share one.
-  std::unique_ptr<Participant> join(std::string name = "participant");
+  /// `introduction`: what others are told of it.
+  std::unique_ptr<Participant> join(std::string name = "participant",
+                                    std::optional<discovery::Introduction> introduction = std::nullopt);
 
   /// Decides the fate of every sample that is written from now on, on the writer's thread and before anybody gets it;
   /// an empty function delivers. It may call the bus, but must not write or take.

@@ -92,6 +92,51 @@ TEST_P(Discovery, TellsWhoIsThereWithWhatAndWhenTheyLeave) {
   look_until(*watch, [&](const DomainView& seen) { return mine(seen).empty(); });
 }
 
+TEST_P(Discovery, TellsHowMuchAProgramHasExchanged) {
+  const auto watch = discovery::watch(options(GetParam().reader, "-watching"));
+  auto participant = join(writers_options());
+  auto statuses = participant->writer<WorkerStatus>();
+  auto own = participant->reader<WorkerStatus>(nullptr);
+  auto traffic = participant->writer<Traffic>();
+  ASSERT_TRUE(statuses->write(WorkerStatus{}));
+  const auto guid = participant->traffic().participant;
+  const auto told_of = [&](const DomainView& seen) {
+    return std::ranges::find(seen.traffic, guid, &Traffic::participant);
+  };
+  const auto view = look_until(*watch, [&](const DomainView& seen) {
+    EXPECT_TRUE(traffic->write(participant->traffic()));  // best effort: until one has arrived
+    return told_of(seen) != seen.traffic.end();
+  });
+  const auto told = told_of(view);
+  ASSERT_NE(told, view.traffic.end());
+  ASSERT_FALSE(told->topics.empty());
+  EXPECT_EQ(told->topics.front().topic, Topic<WorkerStatus>::name);
+  EXPECT_EQ(told->topics.front().written, 1U);
+  EXPECT_EQ(mine(view).size(), 1U);
+  EXPECT_EQ(mine(view).front().guid, guid) << "the traffic is told under the name that discovery knows";
+}
+
+TEST_P(Discovery, TellsEachProgramOfTheOthers) {
+  auto participant = join(writers_options());
+  auto observer = join_reader();
+  const auto is_known = [&] {
+    const auto others = observer->others();
+    return std::ranges::any_of(others, [&](const auto& other) { return is_mine(other); });
+  };
+  const auto wait_until = [&](bool known) {
+    const auto deadline = std::chrono::steady_clock::now() + patience;
+    while (is_known() != known && std::chrono::steady_clock::now() < deadline) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    return is_known() == known;
+  };
+  EXPECT_TRUE(wait_until(true));
+  const auto own = observer->traffic().participant;
+  EXPECT_TRUE(std::ranges::none_of(observer->others(), [&](const auto& other) { return other.guid == own; }));
+  participant.reset();
+  EXPECT_TRUE(wait_until(false));
+}
+
 // What the two vendors announce of our own topics must not look like a mismatch to either.
 TEST_P(Discovery, FindsNoMismatchBetweenOurPrograms) {
   const auto watch = discovery::watch(options(GetParam().reader, "-watching"));

@@ -15,8 +15,10 @@ template <class Sample>
 auto& number_in(Sample& sample) {
   if constexpr (requires { sample.origin; }) {
     return sample.origin.epoch;
-  } else {
+  } else if constexpr (requires { sample.token; }) {
     return sample.token;
+  } else {
+    return sample.malformed;
   }
 }
 

@@ -62,6 +62,9 @@ TEST_P(RoundTrip, Reply) {
 TEST_P(RoundTrip, SweepProgress) {
   expect_round_trips<SweepProgress>();
 }
+TEST_P(RoundTrip, Traffic) {
+  expect_round_trips<Traffic>();
+}
 TEST_P(RoundTrip, RobotStatus) {
   expect_round_trips<RobotStatus>();
 }

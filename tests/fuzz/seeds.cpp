@@ -68,6 +68,7 @@ void wire_seeds() {
   wire_seeds<RobotReply>(11, "robot_reply");
   wire_seeds<ServoCommand>(12, "servo_command");
   wire_seeds<ServoState>(13, "servo_state");
+  wire_seeds<Traffic>(14, "traffic");
 }
 
 // checkpoint_fuzzer: the job's number, then the checkpoint. The sweep is the fuzzer's.

@@ -72,7 +72,7 @@ constexpr std::array topics = {
     &look_at<WorkerStatus>,          &look_at<SweepSpecification>, &look_at<Lease>,        &look_at<ResultBatch>,
     &look_at<ResultAcknowledgement>, &look_at<Checkpoint>,         &look_at<Request>,      &look_at<Reply>,
     &look_at<SweepProgress>,         &look_at<RobotStatus>,        &look_at<RobotRequest>, &look_at<RobotReply>,
-    &look_at<ServoCommand>,          &look_at<ServoState>};
+    &look_at<ServoCommand>,          &look_at<ServoState>,         &look_at<Traffic>};
 
 }  // namespace
 

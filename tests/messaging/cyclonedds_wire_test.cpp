@@ -10,7 +10,7 @@ template <class Sample>
 class CycloneWire : public ::testing::Test {};
 using AllSamples =
     ::testing::Types<WorkerStatus, SweepSpecification, Lease, ResultBatch, ResultAcknowledgement, Checkpoint, Request,
-                     Reply, SweepProgress, RobotStatus, RobotRequest, RobotReply, ServoCommand, ServoState>;
+                     Reply, SweepProgress, Traffic, RobotStatus, RobotRequest, RobotReply, ServoCommand, ServoState>;
 TYPED_TEST_SUITE(CycloneWire, AllSamples);
 
 TYPED_TEST(CycloneWire, ThereAndBackIsTheSame) {

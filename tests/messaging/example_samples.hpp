@@ -211,6 +211,14 @@ inline void fill(RobotStatus& sample, Values& values) {
   sample.counters = {{values.text(), values.u64()}, {values.text(), values.u64()}};
 }
 
+inline void fill(Traffic& sample, Values& values) {
+  for (auto& octet : sample.participant) octet = values.u8();
+  sample.seconds = values.real();
+  sample.malformed = values.u64();
+  sample.topics = {{values.text(), values.u64(), values.u64(), values.u64()},
+                   {values.text(), values.u64(), values.u64(), values.u64()}};
+}
+
 inline void fill(RobotRequest& sample, Values& values) {
   sample.robot = values.u64();
   sample.asker = values.u64();
@@ -348,6 +356,12 @@ inline void maximise(RobotStatus& sample) {
   sample.process = most32;
   sample.rate = std::numeric_limits<double>::max();
   sample.counters.assign(256, {"counter", most});
+}
+inline void maximise(Traffic& sample) {
+  sample.participant.fill(0xff);
+  sample.seconds = std::numeric_limits<double>::max();
+  sample.malformed = most;
+  sample.topics.assign(256, {"topic", most, most, most});
 }
 inline void maximise(RobotRequest& sample) {
   sample.robot = sample.asker = sample.correlation = sample.token = most;

@@ -42,7 +42,7 @@ template <class Sample>
 class FastWire : public ::testing::Test {};
 using AllSamples =
     ::testing::Types<WorkerStatus, SweepSpecification, Lease, ResultBatch, ResultAcknowledgement, Checkpoint, Request,
-                     Reply, SweepProgress, RobotStatus, RobotRequest, RobotReply, ServoCommand, ServoState>;
+                     Reply, SweepProgress, Traffic, RobotStatus, RobotRequest, RobotReply, ServoCommand, ServoState>;
 TYPED_TEST_SUITE(FastWire, AllSamples);
 
 TYPED_TEST(FastWire, ThereAndBackIsTheSame) {
