@@ -4,6 +4,7 @@
 #include "messaging/program/exit_codes.hpp"
 #include "messaging/program/join_options.hpp"
 #include "messaging/program/logging.hpp"
+#include "messaging/program/network_report.hpp"
 #include "messaging/program/stall_guard.hpp"
 #include "messaging/program/stop.hpp"
 
@@ -40,10 +41,12 @@ int serve(const Options& options) {
                store.epoch(), participant->vendor(), options.join.domain, options.join.isolation);
   coordinator::Coordinator coordinator(*participant, std::move(store), signal, {}, coordinator::Clock::now(),
                                        bridges.get());
+  program::NetworkReport network(*participant, options.join);
   program::StallGuard guard;
   while (!stop.requested()) {
     signal->wait_for(longest_wait);
     guard.alive();
+    network.step(program::NetworkReport::Clock::now());
     coordinator.step(coordinator::Clock::now());
   }
   coordinator.finish(coordinator::Clock::now());

@@ -4,6 +4,7 @@
 #include "messaging/program/exit_codes.hpp"
 #include "messaging/program/join_options.hpp"
 #include "messaging/program/logging.hpp"
+#include "messaging/program/network_report.hpp"
 #include "messaging/program/stall_guard.hpp"
 #include "messaging/program/stop.hpp"
 #include "messaging/robot/robot_asker.hpp"
@@ -161,6 +162,7 @@ int serve(const Options& options) {
                               Clock::now());
   std::optional<robot_bridge::ros2::Face> face;
   if (node != nullptr) face.emplace(*node, signal, bridge, control, calibration, options.robot);
+  program::NetworkReport network(*participant, options.join);
   // A call into DDS that never returns would leave the robot deaf to its emergency stop.
   program::StallGuard guard(longest_stall, [&control] {
     spdlog::critical("the bridge has stood still for {} s; its servos are turned off, and it ends",
@@ -173,6 +175,7 @@ int serve(const Options& options) {
     signal->wait_for(longest_wait);
     guard.alive();
     bridge.step(Clock::now());
+    network.step(Clock::now());
     if (face) face->step(Clock::now(), std::chrono::system_clock::now());
   }
   bridge.finish();

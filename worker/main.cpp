@@ -4,6 +4,7 @@
 #include "messaging/program/exit_codes.hpp"
 #include "messaging/program/join_options.hpp"
 #include "messaging/program/logging.hpp"
+#include "messaging/program/network_report.hpp"
 #include "messaging/program/stall_guard.hpp"
 #include "messaging/program/stop.hpp"
 #include "messaging/robot/robot_name.hpp"
@@ -70,10 +71,12 @@ int serve(const Options& options) {
                program::build(), identity.incarnation, executor->threads(), participant->vendor(), options.join.domain,
                options.join.isolation);
   worker::Worker worker(*participant, *executor, signal, identity, worker::Clock::now());
+  program::NetworkReport network(*participant, options.join);
   program::StallGuard guard;
   while (!stop.requested() && !worker.drained()) {
     signal->wait_for(longest_wait);
     guard.alive();
+    network.step(program::NetworkReport::Clock::now());
     worker.step(worker::Clock::now());
   }
 
