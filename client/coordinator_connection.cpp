@@ -5,7 +5,9 @@
 #include "client/output/formatting.hpp"
 #include "messaging/program/join_options.hpp"
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace lamprey::client {
 
@@ -23,6 +25,26 @@ std::string where_looked(const messaging::JoinOptions& join, const std::string& 
   std::string text = vendor + ", domain " + std::to_string(join.domain) + ", isolation " + join.isolation;
   if (!join.peers.empty()) return text + ", peers " + output::joined(join.peers, ", ");
   return text + (join.loopback_only ? ", this machine only" : ", by multicast, no peers named");
+}
+
+/// What else there is, and how to get to it: most often it is the isolation that is wrong.
+std::vector<std::string> other_coordinators(const std::vector<messaging::discovery::Participant>& others,
+                                            const messaging::discovery::Introduction& own) {
+  std::vector<std::string> found;
+  for (const auto& other : others) {
+    if (!other.introduction || other.introduction->role != "coordinator") continue;
+    const auto& who = *other.introduction;
+    std::string text = "a coordinator on " + who.host + " (process " + std::to_string(who.process) + ")";
+    if (who.wire != own.wire) {
+      text += " of another version (" + who.build + "), which this tool never meets";
+    } else if (who.isolation != own.isolation) {
+      text += " in isolation '" + who.isolation + "': --isolation " + who.isolation;
+    } else {
+      text += " that does not answer: lamprey doctor looks for the reason";
+    }
+    if (std::ranges::find(found, text) == found.end()) found.push_back(output::without_controls(text));
+  }
+  return found;
 }
 
 ExitCode exit_code_of(const std::string& error_code) {
@@ -68,10 +90,14 @@ idl::Reply CoordinatorConnection::ask_for_success(const idl::Request& request) {
   return reply;
 }
 
-Failure CoordinatorConnection::unreachable() const {
+Failure CoordinatorConnection::unreachable() {
   std::string message = "no coordinator answered within " + output::duration(options_.timeout_seconds) + " (" +
                         where_looked(options_.join, participant_->vendor()) + ")";
   if (!client_.write_error().empty()) message += "; the last request could not be sent: " + client_.write_error();
+  if (const auto others = other_coordinators(participant_->others(), messaging::introduction_of(options_.join));
+      !others.empty()) {
+    return {exit_unreachable, "unreachable", message + ". In this domain there is " + output::joined(others, "; ")};
+  }
   message +=
       ". Is lamprey-coordinator running, with the same domain and isolation? On another machine, or without multicast, "
       "name its host: --peer HOST";

@@ -42,7 +42,7 @@ class CoordinatorConnection {
   Clock::duration timeout() const;
 
   /// No coordinator has answered in time: says where it was looked for.
-  [[nodiscard]] Failure unreachable() const;
+  [[nodiscard]] Failure unreachable();
 
  private:
   const Environment& environment_;

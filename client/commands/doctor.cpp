@@ -98,7 +98,7 @@ std::vector<Check> check_answer(const Options& options, const Context& context) 
 
 std::vector<Check> check_domain(const Options& options, const Context& context) {
   const auto& join = options.connection.join;
-  const auto view = network::look(join, options.seconds, context.environment);
+  const auto view = network::look(join, options.seconds, context.environment).view;
   auto checks = diagnosis::check_company(view, join);
   const bool alone = checks.front().level == Check::Level::trouble;
   std::ranges::move(diagnosis::check_versions(view, messaging::program::build()), std::back_inserter(checks));

@@ -10,7 +10,9 @@
 #include "messaging/qos.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -39,13 +41,25 @@ struct Findings {
   bool clean() const { return mismatches.empty() && foreign_topics.empty(); }
 };
 
-Findings findings_of(discovery::DomainView view) {
+Findings findings_of(network::Sight sight) {
   Findings findings;
-  findings.programs = network::programs_of(view);
+  auto& view = sight.view;
+  findings.programs = network::programs_of(view, sight.first);
   findings.mismatches = discovery::mismatches(view);
   findings.foreign_topics = discovery::topics_of_other_wire_versions(view, messaging::wire_version);
   findings.view = std::move(view);
   return findings;
+}
+
+Json json_of(const std::optional<network::ProgramTraffic>& traffic) {
+  if (!traffic) return nullptr;
+  const auto rate = [&](double value) { return traffic->has_rates ? Json(value) : Json(nullptr); };
+  return {{"written", traffic->written},
+          {"refused", traffic->refused},
+          {"read", traffic->read},
+          {"malformed", traffic->malformed},
+          {"written_per_second", rate(traffic->written_per_second)},
+          {"read_per_second", rate(traffic->read_per_second)}};
 }
 
 Json json_of(const Program& program) {
@@ -65,6 +79,7 @@ Json json_of(const Program& program) {
   json["participants"] = std::move(guids);
   json["writers"] = program.writers;
   json["readers"] = program.readers;
+  json["samples"] = json_of(program.traffic);
   return json;
 }
 
@@ -100,6 +115,11 @@ void print_json(const Options& options, const Findings& findings, const Context&
   print(context.console, json);
 }
 
+std::string rate(const Program& program, double network::ProgramTraffic::*per_second) {
+  if (!program.traffic || !program.traffic->has_rates) return "-";
+  return output::shortest(std::round((*program.traffic).*per_second));
+}
+
 void print_programs(const Findings& findings, const Context& context) {
   output::Table table({{"role"},
                        {"host/process"},
@@ -107,7 +127,9 @@ void print_programs(const Findings& findings, const Context& context) {
                        {"DDS"},
                        {"version"},
                        {"writers", output::Align::right},
-                       {"readers", output::Align::right}});
+                       {"readers", output::Align::right},
+                       {"out/s", output::Align::right},
+                       {"in/s", output::Align::right}});
   for (const auto& program : findings.programs) {
     const auto& who = program.introduction;
     const bool ours = program.ours();
@@ -115,7 +137,9 @@ void print_programs(const Findings& findings, const Context& context) {
                ours ? without_controls(who.host) + "/" + std::to_string(who.process)
                     : without_controls(program.name.empty() ? network::to_text(program) : program.name),
                without_controls(who.isolation), output::joined(program.vendors, ", "), without_controls(who.build),
-               std::to_string(program.writers), std::to_string(program.readers)});
+               std::to_string(program.writers), std::to_string(program.readers),
+               rate(program, &network::ProgramTraffic::written_per_second),
+               rate(program, &network::ProgramTraffic::read_per_second)});
   }
   table.print(context.console);
 }

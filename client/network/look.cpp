@@ -2,6 +2,7 @@
 
 #include "client/coordinator_connection.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 
@@ -17,17 +18,35 @@ std::unique_ptr<messaging::discovery::Watch> watch(const messaging::JoinOptions&
   }
 }
 
+/// Looks are dear in a large domain; programs tell of their traffic each second.
+constexpr std::chrono::milliseconds look_interval{500};
+
+void note_first(const std::vector<messaging::Traffic>& seen, std::vector<messaging::Traffic>& first) {
+  for (const auto& traffic : seen) {
+    const bool known = std::ranges::find(first, traffic.participant, &messaging::Traffic::participant) != first.end();
+    if (!known) first.push_back(traffic);
+  }
+}
+
 }  // namespace
 
-messaging::discovery::DomainView look(const messaging::JoinOptions& join, double seconds,
-                                      const Environment& environment) {
+Sight look(const messaging::JoinOptions& join, double seconds, const Environment& environment) {
+  using Clock = std::chrono::steady_clock;
   const auto watching = watch(join, environment);
-  const auto until = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
-  while (std::chrono::steady_clock::now() < until) {
+  const auto until = Clock::now() + std::chrono::duration<double>(seconds);
+  auto due = Clock::now() + look_interval;
+  Sight sight;
+  while (Clock::now() < until) {
     if (environment.interrupted()) throw interrupted_failure();
+    if (Clock::now() >= due) {
+      due += look_interval;
+      note_first(watching->look().traffic, sight.first);
+    }
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
-  return watching->look();
+  sight.view = watching->look();
+  note_first(sight.view.traffic, sight.first);
+  return sight;
 }
 
 }  // namespace lamprey::client::network

@@ -3,11 +3,18 @@
 #include "client/command.hpp"
 #include "messaging/discovery/domain_view.hpp"
 
+#include <vector>
+
 namespace lamprey::client::network {
 
-/// What is known of the domain after so many seconds: nobody tells when everybody has been found. Throws Failure
-/// (unreachable, with the vendor's reason; interrupted).
-messaging::discovery::DomainView look(const messaging::JoinOptions& join, double seconds,
-                                      const Environment& environment);
+/// What is known of a domain after looking for a while.
+struct Sight {
+  messaging::discovery::DomainView view;
+  std::vector<messaging::Traffic> first;  ///< of each participant in view.traffic, the first that was seen
+};
+
+/// For so many seconds: nobody tells when everybody has been found. Throws Failure (unreachable, with the vendor's
+/// reason; interrupted).
+Sight look(const messaging::JoinOptions& join, double seconds, const Environment& environment);
 
 }  // namespace lamprey::client::network

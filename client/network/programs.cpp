@@ -30,9 +30,44 @@ auto order_of(const Program& program) {
                     program.participants.front());
 }
 
+struct Totals {
+  std::uint64_t written = 0;
+  std::uint64_t refused = 0;
+  std::uint64_t read = 0;
+};
+
+Totals totals_of(const messaging::Traffic& traffic) {
+  Totals totals;
+  for (const auto& topic : traffic.topics) {
+    totals.written += topic.written;
+    totals.refused += topic.refused;
+    totals.read += topic.read;
+  }
+  return totals;
+}
+
+/// What came from the network may count down.
+double per_second(std::uint64_t from, std::uint64_t to, double seconds) {
+  return to < from ? 0 : static_cast<double>(to - from) / seconds;
+}
+
+void add(ProgramTraffic& to, const messaging::Traffic& first, const messaging::Traffic& last) {
+  const auto begin = totals_of(first);
+  const auto end = totals_of(last);
+  to.written += end.written;
+  to.refused += end.refused;
+  to.read += end.read;
+  to.malformed += last.malformed;
+  const double seconds = last.seconds - first.seconds;
+  if (!(seconds > 0)) return;
+  to.has_rates = true;
+  to.written_per_second += per_second(begin.written, end.written, seconds);
+  to.read_per_second += per_second(begin.read, end.read, seconds);
+}
+
 }  // namespace
 
-std::vector<Program> programs_of(const discovery::DomainView& view) {
+std::vector<Program> programs_of(const discovery::DomainView& view, const std::vector<messaging::Traffic>& first) {
   std::vector<Program> programs;
   std::map<discovery::Guid, std::size_t> program_of;
   for (const auto& participant : view.participants) {
@@ -50,6 +85,14 @@ std::vector<Program> programs_of(const discovery::DomainView& view) {
     if (owner == program_of.end()) continue;
     auto& program = programs[owner->second];
     ++(endpoint.writes ? program.writers : program.readers);
+  }
+  for (const auto& traffic : view.traffic) {
+    const auto owner = program_of.find(traffic.participant);
+    if (owner == program_of.end()) continue;
+    const auto earlier = std::ranges::find(first, traffic.participant, &messaging::Traffic::participant);
+    auto& program = programs[owner->second];
+    if (!program.traffic) program.traffic.emplace();
+    add(*program.traffic, earlier != first.end() ? *earlier : traffic, traffic);
   }
   std::ranges::sort(programs, {}, order_of);
   return programs;

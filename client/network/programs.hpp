@@ -4,10 +4,22 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace lamprey::client::network {
+
+/// Samples that a program has exchanged since it joined, and how many it did in each second that was looked.
+struct ProgramTraffic {
+  std::uint64_t written = 0;
+  std::uint64_t refused = 0;
+  std::uint64_t read = 0;
+  std::uint64_t malformed = 0;
+  double written_per_second = 0;
+  double read_per_second = 0;
+  bool has_rates = false;  ///< it has told twice
+};
 
 /// One program of a domain, as discovery shows it: a process of ours with all of its participants, or a participant of
 /// somebody else's.
@@ -18,12 +30,15 @@ struct Program {
   std::string name;                  ///< of a participant that has one
   std::size_t writers = 0;
   std::size_t readers = 0;
+  std::optional<ProgramTraffic> traffic{};  ///< of a program that tells: ours that stay
 
   bool ours() const { return !introduction.role.empty(); }
 };
 
 /// Coordinators first, then by role, host and process; those that are not ours last, by GUID.
-std::vector<Program> programs_of(const messaging::discovery::DomainView& view);
+/// `first`: earlier counts, to tell rates by.
+std::vector<Program> programs_of(const messaging::discovery::DomainView& view,
+                                 const std::vector<messaging::Traffic>& first = {});
 
 /// "worker alpha/4711", or "participant 01100f5a.8d1c47c4.c17eb1a2 (rviz2)" of one that is not ours.
 std::string to_text(const Program& program);

@@ -1,6 +1,7 @@
 #include "messaging/discovery/domain_view.hpp"
 #include "tests/client/site.hpp"
 
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -34,7 +35,9 @@ discovery::Endpoint endpoint(const discovery::Guid& participant, bool writes, co
 class Net : public ::testing::Test {
  protected:
   ToolRun net(std::vector<std::string> arguments = {}) {
-    arguments.insert(arguments.begin(), {"net", "--seconds", "0.1"});
+    const bool has_time = std::ranges::find(arguments, "--seconds") != arguments.end();
+    if (!has_time) arguments.insert(arguments.begin(), {"--seconds", "0.1"});
+    arguments.insert(arguments.begin(), "net");
     return site.run(arguments);
   }
   Site site;
@@ -101,6 +104,22 @@ TEST_F(Net, ListsWritersAndReadersWhenAsked) {
   const auto run = net({"--topics"});
   EXPECT_THAT(run.out, HasSubstr("lamprey/4/result  lab/common  written by  worker alpha/7"));
   EXPECT_THAT(run.out, HasSubstr("an unknown program"));
+}
+
+TEST_F(Net, ShowsHowManySamplesAProgramExchangesASecond) {
+  site.domain.participants = {ours(guid(0x0f, 1), "worker", 7), ours(guid(0x0f, 2), "worker", 8)};
+  site.domain.traffic = {
+      {.participant = guid(0x0f, 1), .seconds = 10, .malformed = 3, .topics = {{"a", 100, 2, 0}, {"b", 0, 0, 40}}}};
+  const auto json = net({"--seconds", "0.8", "--format", "json"}).json();
+  const auto& samples = json["programs"][0]["samples"];
+  EXPECT_EQ(samples["written"], 100);
+  EXPECT_EQ(samples["refused"], 2);
+  EXPECT_EQ(samples["read"], 40);
+  EXPECT_EQ(samples["malformed"], 3);
+  EXPECT_EQ(samples["written_per_second"], 10);
+  EXPECT_EQ(samples["read_per_second"], 4);
+  EXPECT_TRUE(json["programs"][1]["samples"].is_null());
+  EXPECT_THAT(net({"--seconds", "0.8"}).out, HasSubstr("    10     4\n"));
 }
 
 }  // namespace

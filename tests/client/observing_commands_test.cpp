@@ -1,3 +1,4 @@
+#include "messaging/qos.hpp"
 #include "tests/client/scripted_coordinator.hpp"
 
 #include <gtest/gtest.h>
@@ -383,6 +384,24 @@ TEST_F(ObservingCommandsTest, FollowingWhereNobodyAnswersEndsWithThree) {
     const auto run = site.run(arguments);
     EXPECT_EQ(run.exit_code, 3) << arguments[0];
     EXPECT_NE(run.err.find("no coordinator answered"), std::string::npos) << run.err;
+  }
+}
+
+TEST_F(ObservingCommandsTest, NamesTheCoordinatorsThatWereNotMeant) {
+  const auto coordinator = [](const std::string& host, const std::string& isolation, std::uint32_t wire) {
+    return messaging::discovery::Introduction{
+        .role = "coordinator", .host = host, .process = 9, .build = "8.1", .isolation = isolation, .wire = wire};
+  };
+  const auto elsewhere = site.bus.join("c", coordinator("alpha", "lab2", messaging::wire_version));
+  const auto newer = site.bus.join("c", coordinator("beta", "lamprey", messaging::wire_version + 1));
+  const auto silent = site.bus.join("c", coordinator("gamma", "lamprey", messaging::wire_version));
+  const auto run = site.run({"status", "--timeout", "0.1"});
+  EXPECT_EQ(run.exit_code, 3);
+  for (const std::string hint :
+       {"a coordinator on alpha (process 9) in isolation 'lab2': --isolation lab2",
+        "a coordinator on beta (process 9) of another version (8.1), which this tool never meets",
+        "a coordinator on gamma (process 9) that does not answer: lamprey doctor looks"}) {
+    EXPECT_NE(run.err.find(hint), std::string::npos) << run.err;
   }
 }
 
