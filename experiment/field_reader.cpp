@@ -4,25 +4,6 @@
 
 namespace lamprey::experiment {
 
-std::string kind_name(const YamlNode& node) {
-  switch (node.kind) {
-    case YamlNode::Kind::null:
-      return "nothing";
-    case YamlNode::Kind::scalar:
-      return "'" + printable(node.text) + "'";
-    case YamlNode::Kind::list:
-      return "a list";
-    case YamlNode::Kind::mapping:
-      return "a mapping";
-  }
-  return {};
-}
-
-std::string nearest_hint(std::string_view name, const std::vector<std::string_view>& known) {
-  const std::string nearest = nearest_name(name, known);
-  return nearest.empty() ? std::string() : "; did you mean '" + nearest + "'?";
-}
-
 void FieldReader::read_value(const std::string& path, const YamlNode& node, const Parameter* parameter,
                              idl::Value& value) {
   if (node.kind == YamlNode::Kind::list || node.kind == YamlNode::Kind::mapping) {

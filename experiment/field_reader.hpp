@@ -9,16 +9,9 @@
 #include "idl/sweep.pb.h"
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace lamprey::experiment {
-
-/// "nothing", "'walk'", "a list", "a mapping": what stands where something else should.
-std::string kind_name(const YamlNode& node);
-
-/// "; did you mean 'to'?" if a known name is near, else empty.
-std::string nearest_hint(std::string_view name, const std::vector<std::string_view>& known);
 
 /// Reads values, remembers where each field stands, and notes what has the wrong shape. Refers to the positions.
 class FieldReader {

@@ -121,6 +121,11 @@ std::string nearest_name(std::string_view name, const std::vector<std::string_vi
   return std::string(nearest);
 }
 
+std::string nearest_hint(std::string_view name, const std::vector<std::string_view>& known) {
+  const std::string nearest = nearest_name(name, known);
+  return nearest.empty() ? std::string() : "; did you mean '" + nearest + "'?";
+}
+
 std::size_t first_unreadable(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = utf8_length(text.substr(i));

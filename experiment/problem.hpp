@@ -64,6 +64,9 @@ class Findings {
 /// The known name nearest to `name` by edit distance, or empty if none is near enough to be a slip of the finger.
 std::string nearest_name(std::string_view name, const std::vector<std::string_view>& known);
 
+/// "; did you mean 'to'?" if a known name is near, else empty.
+std::string nearest_hint(std::string_view name, const std::vector<std::string_view>& known);
+
 /// Where `text` first has a byte that is not UTF-8, or a control character other than tab and line ends; npos if
 /// nowhere. Such text is refused: protobuf and SQLite's readers can't carry it, terminals would act on it.
 std::size_t first_unreadable(std::string_view text);

@@ -8,8 +8,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <filesystem>
-#include <fstream>
 #include <limits>
 #include <optional>
 
@@ -167,10 +165,6 @@ void throw_if_any(std::vector<Problem> problems) {
   throw InvalidInput(std::move(problems));
 }
 
-Problem file_problem(const std::string& path, std::string message) {
-  return {.field = "", .message = std::move(message), .file = path};
-}
-
 }  // namespace
 
 SweepFile parse_sweep(const std::string& yaml, const std::string& file) {
@@ -191,18 +185,7 @@ SweepFile parse_sweep(const std::string& yaml, const std::string& file) {
 }
 
 SweepFile read_sweep_file(const std::string& path) {
-  std::error_code error;
-  const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) throw InvalidInput(file_problem(path, "no such file"));
-  if (std::filesystem::is_directory(status)) throw InvalidInput(file_problem(path, "is a directory"));
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw InvalidInput(file_problem(path, "cannot be opened for reading"));
-  // One byte more than allowed tells parse_yaml that the file is too large; pipes have no size to ask for.
-  std::string text(maximum_yaml_bytes + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (stream.bad()) throw InvalidInput(file_problem(path, "cannot be read"));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  return parse_sweep(text, path);
+  return parse_sweep(read_yaml_text(path), path);
 }
 
 }  // namespace lamprey::experiment

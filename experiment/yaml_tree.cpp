@@ -1,7 +1,10 @@
 #include "experiment/yaml_tree.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <sstream>
+#include <system_error>
 #include <unordered_set>
 #include <utility>
 #include <yaml-cpp/anchor.h>
@@ -196,6 +199,38 @@ void check_text(const std::string& text, const std::string& file) {
 const YamlNode* YamlNode::find(std::string_view key) const {
   const auto found = std::ranges::find(entries, key, &YamlEntry::key);
   return found == entries.end() ? nullptr : &found->value;
+}
+
+std::string kind_name(const YamlNode& node) {
+  switch (node.kind) {
+    case YamlNode::Kind::null:
+      return "nothing";
+    case YamlNode::Kind::scalar:
+      return "'" + printable(node.text) + "'";
+    case YamlNode::Kind::list:
+      return "a list";
+    case YamlNode::Kind::mapping:
+      return "a mapping";
+  }
+  return {};
+}
+
+std::string read_yaml_text(const std::string& path) {
+  const auto fail = [&](std::string message) {
+    throw InvalidInput(Problem{.field = {}, .message = std::move(message), .file = path});
+  };
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) fail("no such file");
+  if (std::filesystem::is_directory(status)) fail("is a directory");
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) fail("cannot be opened for reading");
+  // One byte more than allowed tells parse_yaml that the file is too large; pipes have no size to ask for.
+  std::string text(maximum_yaml_bytes + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (stream.bad()) fail("cannot be read");
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return text;
 }
 
 YamlNode parse_yaml(const std::string& text, const std::string& file, std::vector<Problem>& problems) {

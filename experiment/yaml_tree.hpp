@@ -39,6 +39,12 @@ struct YamlEntry {
   YamlNode value;
 };
 
+/// "nothing", "'walk'", "a list", "a mapping": what stands where something else should.
+std::string kind_name(const YamlNode& node);
+
+/// A file's text for parse_yaml, cut off where that would refuse its size. Throws InvalidInput where it can't be read.
+std::string read_yaml_text(const std::string& path);
+
 /// Reads one YAML document of the plain kind that our files are: scalars, lists and mappings with unique text keys;
 /// no aliases, anchors or tags. `file` is only used in messages.
 /// What leaves the rest readable (a duplicate key, an anchor, a tag) is added to `problems`; everything else throws

@@ -7,8 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <limits>
 #include <map>
 #include <set>
@@ -334,10 +332,6 @@ class CalibrationReader {
   std::map<std::int32_t, std::pair<std::string, int>> channels_;  ///< taken ones: the field, and its line
 };
 
-Problem file_problem(const std::string& path, std::string message) {
-  return {.field = "", .message = std::move(message), .file = path};
-}
-
 }  // namespace
 
 DeviceNumbers device_numbers(DeviceFamily family) {
@@ -352,18 +346,7 @@ Calibration parse_calibration(const std::string& text, const std::string& file) 
 }
 
 Calibration read_calibration(const std::string& path) {
-  std::error_code error;
-  const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) throw InvalidInput(file_problem(path, "no such file"));
-  if (std::filesystem::is_directory(status)) throw InvalidInput(file_problem(path, "is a directory"));
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw InvalidInput(file_problem(path, "cannot be opened for reading"));
-  // One byte more than allowed tells parse_yaml that the file is too large; pipes have no size to ask for.
-  std::string text(experiment::maximum_yaml_bytes + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (stream.bad()) throw InvalidInput(file_problem(path, "cannot be read"));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  return parse_calibration(text, path);
+  return parse_calibration(experiment::read_yaml_text(path), path);
 }
 
 }  // namespace lamprey::robot_bridge
