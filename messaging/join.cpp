@@ -1,12 +1,18 @@
+#include "messaging/discovery/server.hpp"
+#include "messaging/discovery/server_address.hpp"
 #include "messaging/discovery/watch.hpp"
 #include "messaging/names.hpp"
+#include "messaging/network_interfaces.hpp"
 #include "messaging/port.hpp"
 #include "messaging/vendor_library.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <dlfcn.h>
 #include <filesystem>
+#include <memory>
 #include <netdb.h>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -71,30 +77,49 @@ std::filesystem::path find_library(const JoinOptions& options) {
   fail(options, "its library has vanished");
 }
 
-/// Why a peer can't be looked for, or nothing. Checked here because Cyclone only warns.
-std::string unusable(const std::string& peer) {
-  if (!is_valid_peer(peer)) return "is not a host name or address";
+/// Throws std::runtime_error where a host can't be looked for. Checked here because Cyclone only warns.
+void require_usable(const std::string& what, const std::string& host) {
+  const std::string named = what + " '" + host + "' ";
+  if (!is_valid_peer(host)) throw std::runtime_error(named + "is not a host name or address");
   addrinfo* addresses = nullptr;
-  const int error = getaddrinfo(peer.c_str(), nullptr, nullptr, &addresses);
-  if (error != 0) return std::string("cannot be resolved: ") + gai_strerror(error);
+  const int error = getaddrinfo(host.c_str(), nullptr, nullptr, &addresses);
+  if (error != 0) throw std::runtime_error(named + "cannot be resolved: " + gai_strerror(error));
   freeaddrinfo(addresses);
-  return {};
+}
+
+/// As the vendors get them: without what has no meaning, with hosts that resolve, and with interfaces as addresses.
+/// Throws std::runtime_error.
+JoinOptions settled(JoinOptions options) {
+  if (options.loopback_only) {
+    options.peers.clear();
+    options.interfaces.clear();
+    options.discovery_servers.clear();
+  }
+  for (const auto& peer : options.peers) require_usable("peer", peer);
+  for (const auto& server : discovery::server_addresses(options.discovery_servers, options.domain)) {
+    require_usable("discovery server", server.host);
+  }
+  if (!options.interfaces.empty()) options.interfaces = addresses_of(options.interfaces, network_interfaces());
+  return options;
 }
 
 /// What the function of that name in the vendor's library makes.
-template <class Member>
-std::unique_ptr<Member> join_by(const char* function_name, const JoinOptions& options) {
-  for (const auto& peer : options.peers) {
-    if (const auto reason = unusable(peer); !reason.empty()) fail(options, "peer '" + peer + "' " + reason);
+template <class Member, class... More>
+std::unique_ptr<Member> make(const char* function_name, const JoinOptions& options, More... more) {
+  JoinOptions settled_options;
+  try {
+    settled_options = settled(options);
+  } catch (const std::runtime_error& error) {
+    fail(options, error.what());
   }
   const auto path = find_library(options);
   void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
   if (library == nullptr) fail(options, dlerror());
   // POSIX says that dlsym's object pointer may be converted so.
-  const auto function = reinterpret_cast<JoinFunction<Member>>(dlsym(library, function_name));
+  const auto function = reinterpret_cast<JoinFunction<Member, More...>>(dlsym(library, function_name));
   if (function == nullptr) fail(options, path.string() + " does not export " + function_name);
   std::string error;
-  std::unique_ptr<Member> member(function(options, error));
+  std::unique_ptr<Member> member(function(settled_options, more..., error));
   if (member == nullptr) fail(options, error);
   return member;
 }
@@ -109,15 +134,19 @@ std::unique_ptr<Participant> join(const JoinOptions& options) {
   if (!is_valid_isolation(options.isolation)) {
     fail(options, "isolation '" + options.isolation + "' is not 1 to 64 letters, digits, '_', '.' or '-'");
   }
-  return join_by<Participant>(join_function_name, options);
+  return make<Participant>(join_function_name, options);
 }
 
 std::unique_ptr<discovery::Watch> discovery::watch(const JoinOptions& options) {
-  return join_by<Watch>(watch_function_name, options);
+  return make<Watch>(watch_function_name, options);
+}
+
+std::unique_ptr<discovery::Server> discovery::serve(const JoinOptions& options, std::uint16_t port) {
+  return make<Server>(serve_discovery_function_name, options, port);
 }
 
 std::unique_ptr<ros2::Node> ros2::join(const JoinOptions& options) {
-  return join_by<Node>(join_ros2_function_name, options);
+  return make<Node>(join_ros2_function_name, options);
 }
 
 }  // namespace lamprey::messaging

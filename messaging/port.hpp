@@ -124,9 +124,17 @@ class Participant : public TopicPorts<WorkerStatus, SweepSpecification, Lease, R
 struct JoinOptions {
   std::string vendor = "cyclonedds";
   std::uint32_t domain = 0;
-  std::string isolation = "lamprey";  ///< programs of different isolation never meet, on one host or network
-  std::vector<std::string> peers;     ///< hosts to look for without multicast; empty: multicast
-  bool loopback_only = false;         ///< this machine only: no multicast, no other interface
+  std::string isolation = "lamprey";    ///< programs of different isolation never meet, on one host or network
+  std::vector<std::string> peers = {};  ///< hosts to look for without multicast; empty: multicast
+  /// Network interfaces, each by its name or IPv4 address (network_interfaces.hpp): no others are used, but for the
+  /// loopback one between programs of this machine. Empty: as the vendor chooses.
+  std::vector<std::string> interfaces = {};
+  /// "HOST" or "HOST:PORT" (discovery/server_address.hpp): who has these is found by them alone. Fast DDS only, and
+  /// not with peers. Empty: everybody finds everybody.
+  std::vector<std::string> discovery_servers = {};
+  /// This machine only: no multicast, no other interface. Peers, interfaces and discovery servers have no meaning then.
+  bool loopback_only = false;
+  std::string configuration_file = {};  ///< that some of this is from (docs/formats/configuration.md); empty: none
   /// What everybody in the domain may know of the program; the isolation and the wire's version are added.
   discovery::Introduction introduction{};
 };

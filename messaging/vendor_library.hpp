@@ -1,9 +1,11 @@
 #pragma once
 
+#include "messaging/discovery/server.hpp"
 #include "messaging/discovery/watch.hpp"
 #include "messaging/port.hpp"
 #include "messaging/ros2/node.hpp"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -22,16 +24,21 @@ extern "C" {
 /// The same for a watch of the domain; discovery::watch() looks it up.
 [[gnu::visibility("default")]] lamprey::messaging::discovery::Watch* lamprey_messaging_watch(
     const lamprey::messaging::JoinOptions& options, std::string& error) noexcept;
+
+/// The same for a discovery server of that port; discovery::serve() looks it up.
+[[gnu::visibility("default")]] lamprey::messaging::discovery::Server* lamprey_messaging_serve_discovery(
+    const lamprey::messaging::JoinOptions& options, std::uint16_t port, std::string& error) noexcept;
 }
 
 namespace lamprey::messaging {
 
-/// Makes a Participant, a ros2::Node or a discovery::Watch.
-template <class Member>
-using JoinFunction = Member* (*)(const JoinOptions&, std::string&) noexcept;
+/// Makes a Participant, a ros2::Node, a discovery::Watch or, of a port, a discovery::Server.
+template <class Member, class... More>
+using JoinFunction = Member* (*)(const JoinOptions&, More..., std::string&) noexcept;
 inline constexpr const char* join_function_name = "lamprey_messaging_join";
 inline constexpr const char* join_ros2_function_name = "lamprey_messaging_join_ros2";
 inline constexpr const char* watch_function_name = "lamprey_messaging_watch";
+inline constexpr const char* serve_discovery_function_name = "lamprey_messaging_serve_discovery";
 inline constexpr const char* vendor_library_prefix = "liblamprey_messaging_";
 
 /// The vendors whose libraries are next to the program or in ../lib, sorted.

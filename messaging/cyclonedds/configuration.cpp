@@ -20,6 +20,14 @@ std::string discovery_peers(const JoinOptions& options) {
   return xml.empty() ? xml : "<Peers>" + xml + "</Peers>";
 }
 
+/// Which are used, where that is said. Programs of this machine meet over them, too.
+std::string interfaces(const JoinOptions& options) {
+  std::string xml;
+  if (options.loopback_only) xml += "<NetworkInterface address=\"127.0.0.1\" multicast=\"false\"/>";
+  for (const auto& address : options.interfaces) xml += "<NetworkInterface address=\"" + address + "\"/>";
+  return xml.empty() ? xml : "<Interfaces>" + xml + "</Interfaces>";
+}
+
 }  // namespace
 
 // What is not set here and matters all the same: the watermarks of what a writer has sent and nobody has acknowledged
@@ -29,10 +37,11 @@ std::string discovery_peers(const JoinOptions& options) {
 // by topic, are in endpoints.hpp.
 std::string configuration(const JoinOptions& options, std::optional<std::uint32_t> external_domain,
                           KeyHashes key_hashes) {
-  std::string general;
-  if (options.loopback_only) {
-    general += "<Interfaces><NetworkInterface address=\"127.0.0.1\" multicast=\"false\"/></Interfaces>";
+  if (!options.discovery_servers.empty()) {
+    throw std::runtime_error(
+        "Cyclone DDS has no discovery server: name a peer instead, or take Fast DDS (--dds fastdds)");
   }
+  std::string general = interfaces(options);
   // One frame of a network each (tuning.hpp). On loopback nothing is lost on the way, and large datagrams cost less.
   if (!options.loopback_only) {
     general += "<MaxMessageSize>" + std::to_string(maximum_message_bytes) + "B</MaxMessageSize>";

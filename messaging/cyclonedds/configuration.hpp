@@ -14,7 +14,8 @@ enum class KeyHashes { sent, omitted };
 
 /// Cyclone's configuration: our fragment and then, so that it has the last word, what CYCLONEDDS_URI says.
 /// `external_domain`: the domain on the network where it differs from the one within the process.
-/// Throws std::runtime_error on a peer that is no host name or address.
+/// Interfaces are given by their addresses. Throws std::runtime_error on a peer that is no host name or address, and on
+/// discovery servers.
 std::string configuration(const JoinOptions& options, std::optional<std::uint32_t> external_domain,
                           KeyHashes key_hashes = KeyHashes::sent);
 

@@ -34,3 +34,9 @@ lamprey::messaging::discovery::Watch* lamprey_messaging_watch(const lamprey::mes
     return nullptr;
   }
 }
+
+lamprey::messaging::discovery::Server* lamprey_messaging_serve_discovery(const lamprey::messaging::JoinOptions&,
+                                                                         std::uint16_t, std::string& error) noexcept {
+  error = "Cyclone DDS has no discovery server";
+  return nullptr;
+}

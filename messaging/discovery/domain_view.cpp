@@ -1,5 +1,7 @@
 #include "messaging/discovery/domain_view.hpp"
 
+#include "messaging/discovery/server_address.hpp"
+
 #include <algorithm>
 #include <cstdio>
 #include <utility>
@@ -39,6 +41,7 @@ std::string to_text(const Guid& guid) {
 std::string vendor_of(const Participant& participant) {
   const auto vendor = std::ranges::find(vendors, participant.guid[1], [](const auto& pair) { return pair.first; });
   if (participant.guid[0] == 1 && vendor != vendors.end()) return std::string(vendor->second);
+  if (server_identity(participant.guid)) return "Fast DDS";
   std::array<char, 16> text{};
   std::snprintf(text.data(), text.size(), "vendor %02x.%02x", participant.guid[0], participant.guid[1]);
   return text.data();

@@ -26,8 +26,8 @@ struct Participant {
   bool operator==(const Participant&) const = default;
 };
 
-/// By the vendor's identification, which the first two octets of its GUIDs are: "Cyclone DDS", or "vendor 01.42" of one
-/// that is not known here.
+/// By the vendor's identification, which the first two octets of its GUIDs are (but for Fast DDS's discovery servers):
+/// "Cyclone DDS", or "vendor 01.42" of one that is not known here.
 std::string vendor_of(const Participant& participant);
 
 enum class Durability : std::uint8_t { volatile_, transient_local, transient, persistent };

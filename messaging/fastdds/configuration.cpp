@@ -1,15 +1,18 @@
 #include "messaging/fastdds/configuration.hpp"
 
+#include "messaging/discovery/server_address.hpp"
 #include "messaging/fastdds/transport.hpp"
 #include "messaging/tuning.hpp"
 
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
+#include <fastdds/rtps/attributes/ServerAttributes.h>
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastrtps/utils/IPLocator.h>
 #include <fastrtps/xmlparser/XMLProfileManager.h>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace lamprey::messaging::fastdds {
 namespace {
@@ -20,39 +23,55 @@ using eprosima::fastdds::rtps::UDPv4TransportDescriptor;
 using eprosima::fastrtps::Duration_t;
 
 const std::string loopback = "127.0.0.1";
+const std::string every_address = "0.0.0.0";
 
-/// Port 0 stands for the well-known ports of all participants of a host.
-rtps::Locator_t locator(const std::string& address) {
-  rtps::Locator_t result;
-  result.kind = LOCATOR_KIND_UDPv4;
-  result.port = 0;
-  rtps::IPLocator::setIPv4(result, address);
-  return result;
+std::string resolve(const std::string& host) {
+  if (rtps::IPLocator::isIPv4(host)) return host;
+  const auto addresses = rtps::IPLocator::resolveNameDNS(host).first;
+  if (addresses.empty()) throw std::runtime_error("host '" + host + "' has no IPv4 address");
+  return *addresses.begin();
 }
 
-std::string resolve(const std::string& peer) {
-  if (rtps::IPLocator::isIPv4(peer)) return peer;
-  const auto addresses = rtps::IPLocator::resolveNameDNS(peer).first;
-  if (addresses.empty()) throw std::runtime_error("peer '" + peer + "' has no IPv4 address");
-  return *addresses.begin();
+/// What the program is limited to; empty: nothing. Loopback is always there: a program of this machine that is not
+/// limited sends to no other address of it.
+std::vector<std::string> allowed_addresses(const JoinOptions& options) {
+  if (options.loopback_only) return {loopback};
+  auto addresses = options.interfaces;
+  if (!addresses.empty()) addresses.push_back(loopback);
+  return addresses;
 }
 
 /// UDP only: the default shared-memory transport drops samples when its port queue overflows.
 void set_transport(const JoinOptions& options, dds::DomainParticipantQos& qos) {
   auto& transport = qos.transport();
   const bool users_own = !transport.use_builtin_transports || !transport.user_transports.empty();
-  if (users_own && !options.loopback_only) return;
+  const auto allowed = allowed_addresses(options);
+  if (users_own && allowed.empty()) return;
   auto udp = std::make_shared<UDPv4TransportDescriptor>();
   udp->receiveBufferSize = socket_receive_buffer_bytes;
   udp->maxInitialPeersRange = participants_per_host;
-  if (options.loopback_only) {
-    udp->interfaceWhiteList = {loopback};
-  } else {
-    // One frame of a network each (tuning.hpp). On loopback nothing is lost on the way, and large datagrams cost less.
-    udp->maxMessageSize = maximum_message_bytes;
-  }
+  udp->interfaceWhiteList = allowed;
+  // One frame of a network each (tuning.hpp). On loopback nothing is lost on the way, and large datagrams cost less.
+  if (!options.loopback_only) udp->maxMessageSize = maximum_message_bytes;
   transport.use_builtin_transports = false;
   transport.user_transports = {announcing(std::move(udp))};
+}
+
+rtps::LocatorList_t list_of(const rtps::Locator_t& only) {
+  rtps::LocatorList_t list;
+  list.push_back(only);
+  return list;
+}
+
+/// Nobody is looked for but the servers, which tell of everybody else.
+void ask_servers(const JoinOptions& options, rtps::BuiltinAttributes& builtin) {
+  builtin.discovery_config.discoveryProtocol = rtps::DiscoveryProtocol::CLIENT;
+  for (const auto& address : discovery::server_addresses(options.discovery_servers, options.domain)) {
+    eprosima::fastdds::rtps::RemoteServerAttributes server;
+    eprosima::fastdds::rtps::get_server_client_default_guidPrefix(address.identity(), server.guidPrefix);
+    server.metatrafficUnicastLocatorList.push_back(locator(resolve(address.host), address.port));
+    builtin.discovery_config.m_DiscoveryServers.push_back(server);
+  }
 }
 
 void set_discovery(const JoinOptions& options, dds::DomainParticipantQos& qos) {
@@ -66,17 +85,14 @@ void set_discovery(const JoinOptions& options, dds::DomainParticipantQos& qos) {
   builtin.readerHistoryMemoryPolicy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
   builtin.writerHistoryMemoryPolicy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
 
+  if (!options.discovery_servers.empty()) ask_servers(options, builtin);
   for (const auto& peer : options.peers) builtin.initialPeersList.push_back(locator(resolve(peer)));
   if (options.loopback_only) builtin.initialPeersList.push_back(locator(loopback));
-  if (!options.loopback_only && options.peers.empty()) return;
+  if (!options.loopback_only && options.peers.empty() && options.discovery_servers.empty()) return;
   // A unicast list without a multicast one is what turns multicast off.
   builtin.metatrafficMulticastLocatorList.clear();
-  builtin.metatrafficUnicastLocatorList.clear();
-  builtin.metatrafficUnicastLocatorList.push_back(locator(options.loopback_only ? loopback : "0.0.0.0"));
-  if (options.loopback_only) {
-    qos.wire_protocol().default_unicast_locator_list.clear();
-    qos.wire_protocol().default_unicast_locator_list.push_back(locator(loopback));
-  }
+  builtin.metatrafficUnicastLocatorList = list_of(locator(options.loopback_only ? loopback : every_address));
+  if (options.loopback_only) qos.wire_protocol().default_unicast_locator_list = list_of(locator(loopback));
 }
 
 /// Two participants in one process would else call each other's listeners from their own writes.
@@ -87,6 +103,14 @@ void use_network_within_process() {
 }
 
 }  // namespace
+
+rtps::Locator_t locator(const std::string& address, std::uint16_t port) {
+  rtps::Locator_t result;
+  result.kind = LOCATOR_KIND_UDPv4;
+  result.port = port;
+  rtps::IPLocator::setIPv4(result, address);
+  return result;
+}
 
 dds::DomainParticipantQos participant_qos(const JoinOptions& options) {
   auto* const factory = dds::DomainParticipantFactory::get_instance();

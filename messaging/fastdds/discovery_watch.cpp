@@ -15,11 +15,20 @@
 namespace lamprey::messaging::fastdds {
 namespace {
 
+/// Who asks a discovery server is told of those only that it would exchange something with.
+dds::DomainParticipantQos watching_qos(const JoinOptions& options) {
+  auto qos = participant_qos(options);
+  auto& protocol = qos.wire_protocol().builtin.discovery_config.discoveryProtocol;
+  using Protocol = eprosima::fastrtps::rtps::DiscoveryProtocol;
+  if (protocol == Protocol::CLIENT) protocol = Protocol::SUPER_CLIENT;
+  return qos;
+}
+
 class FastWatch final : public discovery::Watch {
  public:
   explicit FastWatch(const JoinOptions& options)
       : participant_(own(dds::DomainParticipantFactory::get_instance()->create_participant(
-                             options.domain, participant_qos(options), &census_, dds::StatusMask::none()),
+                             options.domain, watching_qos(options), &census_, dds::StatusMask::none()),
                          "a participant that watches the domain")),
         topic_(make_topic<Traffic>(*participant_, malformed_)),
         traffic_(*participant_, *topic_, std::string(common_partition_of_all), nullptr, malformed_,

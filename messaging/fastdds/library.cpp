@@ -1,3 +1,4 @@
+#include "messaging/fastdds/discovery_server.hpp"
 #include "messaging/fastdds/discovery_watch.hpp"
 #include "messaging/fastdds/participant.hpp"
 #include "messaging/fastdds/ros2_node.hpp"
@@ -29,6 +30,17 @@ lamprey::messaging::discovery::Watch* lamprey_messaging_watch(const lamprey::mes
                                                               std::string& error) noexcept {
   try {
     return lamprey::messaging::fastdds::make_discovery_watch(options).release();
+  } catch (const std::exception& exception) {
+    error = exception.what();
+    return nullptr;
+  }
+}
+
+lamprey::messaging::discovery::Server* lamprey_messaging_serve_discovery(const lamprey::messaging::JoinOptions& options,
+                                                                         std::uint16_t port,
+                                                                         std::string& error) noexcept {
+  try {
+    return lamprey::messaging::fastdds::make_discovery_server(options, port).release();
   } catch (const std::exception& exception) {
     error = exception.what();
     return nullptr;

@@ -37,6 +37,21 @@ TEST(CycloneConfiguration, LoopbackOnlyNamesNoOtherInterface) {
                     HasSubstr("<Peer address=\"127.0.0.1\"/>")));
 }
 
+TEST(CycloneConfiguration, ChosenInterfacesAreTheOnlyOnes) {
+  JoinOptions options;
+  EXPECT_THAT(configuration(options, {}), Not(HasSubstr("<Interfaces>")));
+  options.interfaces = {"192.0.2.7", "198.51.100.7"};
+  EXPECT_THAT(configuration(options, {}), AllOf(HasSubstr("<Interfaces><NetworkInterface address=\"192.0.2.7\"/>"
+                                                          "<NetworkInterface address=\"198.51.100.7\"/></Interfaces>"),
+                                                Not(HasSubstr("AllowMulticast"))));
+}
+
+TEST(CycloneConfiguration, DiscoveryServersAreRefusedSinceItHasNone) {
+  JoinOptions options;
+  options.discovery_servers = {"a.example"};
+  EXPECT_THROW(configuration(options, {}), std::runtime_error);
+}
+
 TEST(CycloneConfiguration, MessagesOnANetworkAreOneFrameEach) {
   JoinOptions options;
   EXPECT_THAT(configuration(options, {}), HasSubstr("<MaxMessageSize>1400B</MaxMessageSize>"));

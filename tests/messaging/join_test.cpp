@@ -50,6 +50,21 @@ TEST(Join, InvalidPeerIsRefused) {
   EXPECT_THAT(error_of(options), HasSubstr("not a host name or address"));
 }
 
+TEST(Join, DiscoveryServerIsRefusedByNameWithCyclone) {
+  JoinOptions options;
+  options.discovery_servers = {"127.0.0.1"};
+  EXPECT_THAT(error_of(options), AllOf(HasSubstr("Cyclone DDS has no discovery server"), HasSubstr("fastdds")));
+}
+
+TEST(Join, DiscoveryServerThatCannotBeIsRefused) {
+  JoinOptions options;
+  options.vendor = "fastdds";
+  options.discovery_servers = {"no-such-host.invalid"};
+  EXPECT_THAT(error_of(options), HasSubstr("discovery server 'no-such-host.invalid' cannot be resolved"));
+  options.discovery_servers = {"127.0.0.1:80"};
+  EXPECT_THAT(error_of(options), HasSubstr("11811 to 12066"));
+}
+
 class JoinEachVendor : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(JoinEachVendor, JoinsOnLoopbackAndTellsItsName) {
@@ -67,6 +82,25 @@ TEST_P(JoinEachVendor, UnresolvablePeerIsAnErrorThatNamesTheVendor) {
   options.isolation = "join-test";
   options.peers = {"no-such-host.invalid"};
   EXPECT_THAT(error_of(options), AllOf(HasSubstr("'no-such-host.invalid' cannot be resolved"), HasSubstr(GetParam())));
+}
+
+TEST_P(JoinEachVendor, InterfaceThatIsNotThereIsAnErrorThatNamesTheVendor) {
+  JoinOptions options;
+  options.vendor = GetParam();
+  options.isolation = "join-test";
+  options.interfaces = {"no-such-interface"};
+  EXPECT_THAT(error_of(options), AllOf(HasSubstr("'no-such-interface'"), HasSubstr(GetParam())));
+}
+
+TEST_P(JoinEachVendor, OnThisMachineOnlyNothingElseIsHeeded) {
+  JoinOptions options;
+  options.vendor = GetParam();
+  options.isolation = "join-test";
+  options.loopback_only = true;
+  options.peers = {"no-such-host.invalid"};
+  options.interfaces = {"no-such-interface"};
+  options.discovery_servers = {"no-such-host.invalid"};
+  EXPECT_EQ(error_of(options), "joined with " + GetParam());
 }
 
 INSTANTIATE_TEST_SUITE_P(Vendors, JoinEachVendor, ::testing::Values("cyclonedds", "fastdds"),
