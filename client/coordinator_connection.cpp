@@ -23,8 +23,13 @@ std::unique_ptr<messaging::Participant> join(const Environment& environment, con
 
 std::string where_looked(const messaging::JoinOptions& join, const std::string& vendor) {
   std::string text = vendor + ", domain " + std::to_string(join.domain) + ", isolation " + join.isolation;
+  if (join.loopback_only) return text + ", this machine only";
+  if (!join.interfaces.empty()) text += ", over " + output::joined(join.interfaces, ", ");
+  if (!join.discovery_servers.empty()) {
+    return text + ", by discovery server " + output::joined(join.discovery_servers, ", ");
+  }
   if (!join.peers.empty()) return text + ", peers " + output::joined(join.peers, ", ");
-  return text + (join.loopback_only ? ", this machine only" : ", by multicast, no peers named");
+  return text + ", by multicast, no peers named";
 }
 
 /// What else there is, and how to get to it: most often it is the isolation that is wrong.
@@ -98,9 +103,10 @@ Failure CoordinatorConnection::unreachable() {
       !others.empty()) {
     return {exit_unreachable, "unreachable", message + ". In this domain there is " + output::joined(others, "; ")};
   }
-  message +=
-      ". Is lamprey-coordinator running, with the same domain and isolation? On another machine, or without multicast, "
-      "name its host: --peer HOST";
+  message += ". Is lamprey-coordinator running, with the same domain and isolation? ";
+  message += options_.join.discovery_servers.empty()
+                 ? "On another machine, or without multicast, name its host: --peer HOST"
+                 : "Is the discovery server, and does the coordinator name it, too?";
   if (options_.file_would_do) message += ". A database file is read without it: --database FILE";
   return {exit_unreachable, "unreachable", std::move(message)};
 }

@@ -6,6 +6,7 @@
 #include "client/option_checks.hpp"
 #include "client/storage_failure.hpp"
 #include "experiment/problem.hpp"
+#include "messaging/program/join_options.hpp"
 
 #include <algorithm>
 #include <exception>
@@ -86,6 +87,8 @@ void parse(CLI::App& app, const Arguments& arguments) {
   check_option_names(app, arguments);
   try {
     app.parse(Arguments(arguments.rbegin(), arguments.rend()));  // CLI11 takes them from the back
+  } catch (const messaging::program::BadConfiguration& error) {
+    throw error.input();
   } catch (const CLI::ParseError& error) {
     translate(error);
   }

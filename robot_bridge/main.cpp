@@ -105,9 +105,10 @@ std::unique_ptr<messaging::ros2::Node> join_ros2(const Options& options) {
   return node;
 }
 
-/// Nothing where the bridge is on that vendor anyway.
+/// Nothing where the bridge is on that vendor anyway, or where a discovery server, which that vendor can't ask, keeps
+/// all others away.
 std::unique_ptr<messaging::Participant> join_for_emergencies(const messaging::JoinOptions& own) {
-  if (own.vendor == messaging::emergency_vendor) return nullptr;
+  if (own.vendor == messaging::emergency_vendor || !own.discovery_servers.empty()) return nullptr;
   auto join = own;
   join.vendor = messaging::emergency_vendor;
   try {

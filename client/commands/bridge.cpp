@@ -176,7 +176,8 @@ std::optional<RobotReply> ask(const Options& options, const RobotRequest& reques
     return messaging::RobotAsker::ask(askers, request, time, context.environment.interrupted);
   };
   // An emergency stop doesn't wait until a slow vendor has found the bridge.
-  if (request.kind == RobotRequestKind::stop && options.join.vendor != messaging::emergency_vendor) {
+  const bool by_server = !options.join.discovery_servers.empty();  // where nobody of that vendor is met
+  if (request.kind == RobotRequestKind::stop && options.join.vendor != messaging::emergency_vendor && !by_server) {
     auto participant = join_for_emergency(options, context);
     if (participant) {
       if (auto reply = ask_over(std::move(participant), head_start)) return reply;

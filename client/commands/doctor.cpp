@@ -55,7 +55,9 @@ Check shared_memory(const messaging::JoinOptions& join) {
 
 std::vector<Check> check_host(const messaging::JoinOptions& join) {
   auto checks = diagnosis::check_environment(variable, join);
-  std::ranges::move(diagnosis::check_multicast(diagnosis::interfaces(), join, diagnosis::multicast_fault),
+  const auto interfaces = messaging::network_interfaces();
+  checks.push_back(diagnosis::check_interfaces(interfaces, join));
+  std::ranges::move(diagnosis::check_multicast(interfaces, join, diagnosis::multicast_fault),
                     std::back_inserter(checks));
   auto bound = diagnosis::bound_ports(text_of("/proc/net/udp"));
   bound.merge(diagnosis::bound_ports(text_of("/proc/net/udp6")));
@@ -101,6 +103,7 @@ std::vector<Check> check_domain(const Options& options, const Context& context) 
   const auto view = network::look(join, options.seconds, context.environment).view;
   auto checks = diagnosis::check_company(view, join);
   const bool alone = checks.front().level == Check::Level::trouble;
+  std::ranges::move(diagnosis::check_servers(view, join), std::back_inserter(checks));
   std::ranges::move(diagnosis::check_versions(view, messaging::program::build()), std::back_inserter(checks));
   std::ranges::move(diagnosis::check_matching(view), std::back_inserter(checks));
   if (!alone) std::ranges::move(check_answer(options, context), std::back_inserter(checks));
@@ -151,7 +154,8 @@ ExitCode doctor(const Options& options, const Context& context) {
 Action declare_doctor(CLI::App& app) {
   auto options = std::make_shared<Options>();
   app.description(
-      "Looks for what keeps programs from meeting: multicast, peers, ports, buffers, shared memory, domains and "
+      "Looks for what keeps programs from meeting: interfaces, multicast, peers, discovery servers, ports, buffers, "
+      "shared memory, domains and "
       "isolations, versions, quality of service, clocks; and says what to do. Exit code 5 if there is trouble.");
   app.add_option("--seconds", options->seconds, "Look for others so long")
       ->check(number(0.1, 600))

@@ -42,7 +42,7 @@ struct Options {
   std::uint32_t threads = 1;
   std::vector<std::string> worker_vendors;
   std::string bridge;
-  std::string bridge_isolation = messaging::JoinOptions{}.isolation;
+  std::string bridge_isolation;  ///< empty: that of other programs here
   bool quiet = false;
   SweepOverrides overrides;
   ConnectionOptions connection{.join = {}, .timeout_seconds = 30, .file_would_do = false};
@@ -98,6 +98,8 @@ Result run_processes(const Options& options, const SweepInput& sweep, bool is_pa
   display.show(sweep.name() + "  starting a coordinator and " + output::counted(options.workers, "worker", "workers"),
                begin);
   ConnectionOptions connection_options = options.connection;
+  const std::string& bridge_isolation =
+      options.bridge_isolation.empty() ? options.connection.join.isolation : options.bridge_isolation;
   connection_options.join.isolation = random_isolation();
   connection_options.join.loopback_only = true;
   processes::Fleet fleet({.program_folder = context.environment.program_folder,
@@ -108,7 +110,7 @@ Result run_processes(const Options& options, const SweepInput& sweep, bool is_pa
                           .worker_vendors = options.worker_vendors,
                           .log_level = options.logging.level,
                           .bridge = options.bridge,
-                          .bridge_isolation = options.bridge_isolation},
+                          .bridge_isolation = bridge_isolation},
                          [&](const std::string& line) { display.say(line); });
   CoordinatorConnection connection(context.environment, connection_options);
   Result result;
@@ -284,13 +286,16 @@ Action declare_run(CLI::App& app) {
   app.add_option("--bridge", options->bridge, "Robot for the sweep's jobs with `robot: bridge`, by its bridge's name")
       ->type_name("NAME")
       ->check(robot_name());
-  app.add_option("--bridge-isolation", options->bridge_isolation, "The isolation that the bridge is in")
+  app.add_option("--bridge-isolation", options->bridge_isolation,
+                 "The isolation that the bridge is in (default: the configuration file's, else " +
+                     messaging::JoinOptions{}.isolation + ")")
       ->type_name("NAME")
-      ->envname("LAMPREY_ISOLATION")
-      ->capture_default_str();
+      ->envname("LAMPREY_ISOLATION");
   add_connection_options(app, options->connection);
   // A run is among itself, on this machine.
-  for (const char* name : {"--loopback-only", "--isolation", "--peer"}) app.remove_option(app.get_option(name));
+  for (const char* name : {"--loopback-only", "--isolation", "--peer", "--interface", "--discovery-server"}) {
+    app.remove_option(app.get_option(name));
+  }
   messaging::program::add_logging_options(app, options->logging);
   app.remove_option(app.get_option("--log-format"));
   app.footer("Example\n  lamprey run sweeps/quickstart.yaml --database results.db");

@@ -3,6 +3,7 @@
 #include "client/network/programs.hpp"
 #include "client/output/formatting.hpp"
 #include "messaging/discovery/mismatches.hpp"
+#include "messaging/discovery/server_address.hpp"
 #include "messaging/qos.hpp"
 
 #include <algorithm>
@@ -31,10 +32,10 @@ std::string listed(const std::vector<std::string>& items) {
 Check check_coordinators(const std::vector<std::string>& coordinators, const messaging::JoinOptions& join) {
   const std::string isolation = "isolation " + join.isolation;
   if (coordinators.empty()) {
-    return {
-        Level::trouble, "coordinator", "none in domain " + std::to_string(join.domain) + ", " + isolation,
-        "Is lamprey-coordinator running, with the same domain and isolation? Without multicast name its host: --peer "
-        "HOST."};
+    return {Level::trouble, "coordinator", "none in domain " + std::to_string(join.domain) + ", " + isolation,
+            std::string("Is lamprey-coordinator running, with the same domain and isolation? ") +
+                (join.discovery_servers.empty() ? "Without multicast name its host: --peer HOST."
+                                                : "It must name the discovery server, too.")};
   }
   if (coordinators.size() == 1) return {Level::good, "coordinator", coordinators.front(), {}};
   return {Level::trouble, "coordinator",
@@ -49,6 +50,7 @@ std::vector<Check> check_company(const discovery::DomainView& view, const messag
   std::map<std::string, std::size_t> elsewhere;
   std::size_t here = 0;
   for (const auto& program : programs_of_ours(view)) {
+    if (program.introduction.role == messaging::discovery::server_role) continue;  // it is there for any isolation
     if (program.introduction.isolation != join.isolation) {
       ++elsewhere[program.introduction.isolation];
       continue;
@@ -68,6 +70,25 @@ std::vector<Check> check_company(const discovery::DomainView& view, const messag
                       output::counted(count, "program is", "programs are") + " in isolation " + isolation +
                           ", which never meet those in " + join.isolation,
                       may_be_meant ? "If that is where you want to be: --isolation " + isolation + "." : ""});
+  }
+  return checks;
+}
+
+std::vector<Check> check_servers(const discovery::DomainView& view, const messaging::JoinOptions& join) {
+  std::vector<Check> checks;
+  if (join.loopback_only) return checks;
+  for (const auto& server : discovery::server_addresses(join.discovery_servers, join.domain)) {
+    const std::string name = server.host + ":" + std::to_string(server.port);
+    const bool there = std::ranges::any_of(view.participants, [&](const discovery::Participant& participant) {
+      return discovery::server_identity(participant.guid) == server.identity();
+    });
+    if (there) {
+      checks.push_back({Level::good, "discovery server", name + " is there", {}});
+    } else {
+      checks.push_back({Level::trouble, "discovery server", name + " doesn't answer",
+                        "Is lamprey-discovery-server running there, with the same domain or port, and does a firewall "
+                        "let that UDP port through? Those that have met go on without it, others don't meet."});
+    }
   }
   return checks;
 }

@@ -14,6 +14,9 @@ namespace lamprey::client::diagnosis {
 /// Whether there is one coordinator in this isolation, and who is in others.
 std::vector<Check> check_company(const messaging::discovery::DomainView& view, const messaging::JoinOptions& join);
 
+/// Whether the discovery servers that the program asks are there.
+std::vector<Check> check_servers(const messaging::discovery::DomainView& view, const messaging::JoinOptions& join);
+
 /// Whether all of our programs are of one version, `build` being this one's, and speak the same version on the wire.
 std::vector<Check> check_versions(const messaging::discovery::DomainView& view, const std::string& build);
 

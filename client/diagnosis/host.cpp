@@ -9,9 +9,6 @@
 #include <cerrno>
 #include <charconv>
 #include <cstring>
-#include <ifaddrs.h>
-#include <memory>
-#include <net/if.h>
 #include <netinet/in.h>
 #include <poll.h>
 #include <sstream>
@@ -75,25 +72,21 @@ constexpr std::uint32_t discovery_port(std::uint32_t domain, std::uint32_t index
   return 7400 + 250 * domain + 10 + 2 * index;
 }
 
-}  // namespace
-
-std::vector<Interface> interfaces() {
-  ifaddrs* first = nullptr;
-  if (::getifaddrs(&first) != 0) throw std::system_error(errno, std::generic_category(), "getifaddrs");
-  const std::unique_ptr<ifaddrs, decltype(&::freeifaddrs)> guard(first, ::freeifaddrs);
-  std::vector<Interface> found;
-  for (const ifaddrs* each = first; each != nullptr; each = each->ifa_next) {
-    if (each->ifa_addr == nullptr || each->ifa_addr->sa_family != AF_INET || (each->ifa_flags & IFF_UP) == 0) continue;
-    std::array<char, INET_ADDRSTRLEN> text{};
-    const auto* const address = reinterpret_cast<const sockaddr_in*>(each->ifa_addr);
-    ::inet_ntop(AF_INET, &address->sin_addr, text.data(), text.size());
-    found.push_back(
-        {each->ifa_name, text.data(), (each->ifa_flags & IFF_LOOPBACK) != 0, (each->ifa_flags & IFF_MULTICAST) != 0});
-  }
-  return found;
+std::string name_of(const NetworkInterface& interface) {
+  return interface.name + " (" + interface.address + ")";
 }
 
-std::string multicast_fault(const Interface& interface) {
+/// Those that may be used to reach others.
+std::vector<NetworkInterface> used(std::vector<NetworkInterface> interfaces, const messaging::JoinOptions& join) {
+  std::erase_if(interfaces, [&](const NetworkInterface& interface) {
+    return interface.loopback || (!join.interfaces.empty() && !is_among(interface, join.interfaces));
+  });
+  return interfaces;
+}
+
+}  // namespace
+
+std::string multicast_fault(const NetworkInterface& interface) {
   constexpr int patience = 1000;  // milliseconds
   in_addr address{};
   ::inet_pton(AF_INET, interface.address.c_str(), &address);
@@ -109,14 +102,29 @@ std::string multicast_fault(const Interface& interface) {
   return {};
 }
 
-std::vector<Check> check_multicast(const std::vector<Interface>& interfaces, const messaging::JoinOptions& join,
-                                   const std::function<std::string(const Interface&)>& fault_of) {
+Check check_interfaces(const std::vector<NetworkInterface>& interfaces, const messaging::JoinOptions& join) {
+  if (join.loopback_only) return {Level::good, "interfaces", "only loopback, with --loopback-only", {}};
+  std::vector<std::string> names;
+  for (const auto& interface : used(interfaces, join)) names.push_back(name_of(interface));
+  const std::string listed = output::joined(names, ", ");
+  if (names.empty()) {
+    return {Level::notable, "interfaces", "this host has no network but loopback",
+            "Programs of this host meet with --loopback-only; others can't be reached."};
+  }
+  if (!join.interfaces.empty()) return {Level::good, "interfaces", "chosen: " + listed, {}};
+  if (names.size() == 1 || join.vendor != "cyclonedds") return {Level::good, "interfaces", listed, {}};
+  return {Level::notable, "interfaces", "of " + listed + " Cyclone DDS uses one only, as it likes",
+          "Say which: --interface NAME, or LAMPREY_INTERFACES."};
+}
+
+std::vector<Check> check_multicast(const std::vector<NetworkInterface>& interfaces, const messaging::JoinOptions& join,
+                                   const std::function<std::string(const NetworkInterface&)>& fault_of) {
   if (join.loopback_only) return {{Level::good, "multicast", "not needed with --loopback-only", {}}};
+  if (!join.discovery_servers.empty()) return {{Level::good, "multicast", "not needed with a discovery server", {}}};
   std::vector<Check> checks;
   bool works = false;
-  for (const auto& interface : interfaces) {
-    if (interface.loopback) continue;
-    const std::string name = interface.name + " (" + interface.address + ")";
+  for (const auto& interface : used(interfaces, join)) {
+    const std::string name = name_of(interface);
     auto fault = interface.multicast ? fault_of(interface) : "the interface has none";
     works = works || fault.empty();
     checks.push_back({fault.empty() ? Level::good : Level::notable,
@@ -124,11 +132,7 @@ std::vector<Check> check_multicast(const std::vector<Interface>& interfaces, con
                       name + (fault.empty() ? " works" : ": " + fault),
                       {}});
   }
-  if (checks.empty()) {
-    return {{Level::notable, "interfaces", "this host has no network but loopback",
-             "Programs of this host meet with --loopback-only; others can't be reached."}};
-  }
-  if (!works && join.peers.empty()) {
+  if (!checks.empty() && !works && join.peers.empty()) {
     checks.push_back({Level::trouble, "multicast", "works on no interface, and no peer is named",
                       "Name the coordinator's host: --peer HOST, or LAMPREY_PEERS."});
   }
@@ -193,6 +197,9 @@ Check check_shared_memory(std::uint64_t free_octets, std::size_t fastdds_segment
 std::vector<Check> check_environment(const std::function<std::string(const char*)>& value_of,
                                      const messaging::JoinOptions& join) {
   std::vector<Check> checks;
+  if (!join.configuration_file.empty()) {
+    checks.push_back({Level::good, "configuration", join.configuration_file + " is heeded", {}});
+  }
   const std::string ours = value_of("LAMPREY_DOMAIN");
   const std::string of_ros = value_of("ROS_DOMAIN_ID");
   if (!ours.empty() && !of_ros.empty() && ours != of_ros) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "client/diagnosis/check.hpp"
+#include "messaging/network_interfaces.hpp"
 #include "messaging/port.hpp"
 
 #include <cstdint>
@@ -13,22 +14,17 @@
 /// What this host alone shows, before anybody else is looked for.
 namespace lamprey::client::diagnosis {
 
-/// A network interface that is up and has an IPv4 address.
-struct Interface {
-  std::string name;
-  std::string address;
-  bool loopback = false;
-  bool multicast = false;
-};
-/// Throws std::system_error.
-std::vector<Interface> interfaces();
+using messaging::NetworkInterface;
 
 /// Sends itself a datagram by way of the group that DDS discovery uses; why it did not come, or nothing.
-std::string multicast_fault(const Interface& interface);
+std::string multicast_fault(const NetworkInterface& interface);
+
+/// Which of this machine's interfaces programs use with these options.
+Check check_interfaces(const std::vector<NetworkInterface>& interfaces, const messaging::JoinOptions& join);
 
 /// Whether multicast works on each interface, by `fault_of`; where programs look for peers by name it isn't needed.
-std::vector<Check> check_multicast(const std::vector<Interface>& interfaces, const messaging::JoinOptions& join,
-                                   const std::function<std::string(const Interface&)>& fault_of);
+std::vector<Check> check_multicast(const std::vector<NetworkInterface>& interfaces, const messaging::JoinOptions& join,
+                                   const std::function<std::string(const NetworkInterface&)>& fault_of);
 
 /// UDP ports that are bound, from the text of /proc/net/udp and the like.
 std::set<std::uint16_t> bound_ports(std::string_view proc_net_udp);

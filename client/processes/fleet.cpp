@@ -31,11 +31,15 @@ std::filesystem::path find_program(const std::filesystem::path& folder, std::str
 }
 
 std::vector<std::string> common_arguments(const FleetOptions& options, const std::string& vendor) {
-  return {"--dds",          vendor,
-          "--domain",       std::to_string(options.join.domain),
-          "--isolation",    options.join.isolation,
-          "--log-level",    options.log_level,
-          "--loopback-only"};
+  std::vector<std::string> arguments = {"--dds",          vendor,
+                                        "--domain",       std::to_string(options.join.domain),
+                                        "--isolation",    options.join.isolation,
+                                        "--log-level",    options.log_level,
+                                        "--loopback-only"};
+  // By it they find a robot's bridge.
+  const std::string& file = options.join.configuration_file;
+  if (!file.empty()) arguments.insert(arguments.end(), {"--config", file});
+  return arguments;
 }
 
 /// What an error line of lamprey-coordinator's log says; nothing if the line is none.

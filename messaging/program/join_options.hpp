@@ -1,18 +1,37 @@
 #pragma once
 
+#include "experiment/problem.hpp"
 #include "messaging/port.hpp"
 
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace lamprey::messaging::program {
 
-/// Adds --dds, --domain, --isolation, --peer (repeatable) and --loopback-only to the app; parsing fills `options`,
-/// which must outlive the app. What the command line does not say comes from LAMPREY_DDS, LAMPREY_DOMAIN (else
-/// ROS_DOMAIN_ID), LAMPREY_ISOLATION and LAMPREY_PEERS ("HOST,HOST"), then from `options` as it is. A bad value of
-/// either origin makes app.parse() throw a CLI::ParseError that says what is allowed.
+/// A configuration file is bad: what app.parse() throws of it.
+class BadConfiguration : public CLI::ValidationError {
+ public:
+  explicit BadConfiguration(experiment::InvalidInput input)
+      : CLI::ValidationError(std::string(input.what())), input_(std::move(input)) {}
+  const experiment::InvalidInput& input() const { return input_; }
+
+ private:
+  experiment::InvalidInput input_;
+};
+
+/// Adds --dds, --domain, --isolation, --peer, --interface, --discovery-server (these three repeatable),
+/// --loopback-only and --config to the app; parsing fills `options`. Both must outlive the parsing. What the command
+/// line does not say comes from the environment (LAMPREY_DDS …; join_fields.hpp), then from the configuration file
+/// (--config, LAMPREY_CONFIG, or where one usually is: configuration_file.hpp), then from `options` as it is. Options
+/// may be removed from the app again: then the command line and the environment don't say them.
+/// A bad value of any origin, a network interface that isn't there, and what excludes each other make app.parse()
+/// throw a CLI::ParseError (of a file: BadConfiguration) that says what is allowed. A site's peers, interfaces and
+/// discovery servers don't keep anybody from --loopback-only, which is said in a stronger place then; said in a place
+/// as strong or stronger they contradict it, also that of a file, which --loopback-only=false takes back. Of peers and
+/// discovery servers the stronger ones count.
 void add_join_options(CLI::App& app, JoinOptions& options);
 
 /// What this process tells everybody in its domain, for JoinOptions: who and where it is, in that role.

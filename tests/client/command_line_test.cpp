@@ -83,6 +83,12 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{{"submit", "a", "--timeout", "0"}, "--timeout takes a number from 0.1 to 86400, not '0'"},
         Mistake{{"status", "a", "b"}, "unexpected argument: b"},
         Mistake{{"status", "--domain", "1000"}, "'1000' is not a DDS domain"},
+        Mistake{{"status", "--interface", "127.0.0.2"}, "did you mean '127.0.0.1'?"},
+        Mistake{{"status", "--interface", "lo"}, "to stay on this machine take --loopback-only"},
+        Mistake{{"status", "--discovery-server", "a"}, "--discovery-server: Cyclone DDS has no discovery server"},
+        Mistake{{"net", "--discovery-server", "a", "--dds", "fastdds", "--peer", "b"}, "--discovery-server"},
+        Mistake{{"status", "--config", "/nonexistent.yaml"}, "/nonexistent.yaml: no such file"},
+        Mistake{{"run", "a", "--database", "b", "--interface", "eth0"}, "unknown option '--interface'"},
         Mistake{{"cancel"}, "cancel: SWEEP is required"}, Mistake{{"results"}, "results: SWEEP is required"},
         Mistake{{"results", "a", "--limit", "-1"}, "--limit takes a whole number from 0 to 4294967295, not '-1'"},
         Mistake{{"replay", "a"}, "replay: JOB is required"},
@@ -101,6 +107,16 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{{"submit", "a", "--priority", "high"}, "not 'high'"}, Mistake{{"resum"}, "did you mean 'resume'?"},
         Mistake{{"parameters", "gate"}, "unknown parameter 'gate'; did you mean 'gait'?"},
         Mistake{{"plan", "/nonexistent/sweep.yaml"}, "/nonexistent/sweep.yaml: no such file"}));
+
+TEST_F(CommandLineTest, MistakesInAConfigurationFileAreToldWithTheirPlace) {
+  const auto file = site.file("site.yaml", "isolation: lab\ndoman: 7\ndds: rti\n");
+  const auto run = site.run({"status", "--config", file, "--format", "json"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_EQ(run.json()["error"]["code"], "invalid_input");
+  EXPECT_EQ(run.json()["error"]["messages"].size(), 2U) << "one for each problem";
+  EXPECT_NE(run.err.find(file + ":2:1: "), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("'doman'; did you mean 'domain'?"), std::string::npos) << run.err;
+}
 
 TEST_F(CommandLineTest, MistakesAreDocumentsWhereJsonIsWanted) {
   for (const auto& arguments : {std::vector<std::string>{"plam", "--format", "json"},

@@ -3,9 +3,12 @@
 #include "messaging/qos.hpp"
 #include "tests/client/site.hpp"
 
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <map>
+#include <string>
+#include <string_view>
 
 namespace lamprey::client::diagnosis {
 namespace {
@@ -16,15 +19,34 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-const Interface loopback{"lo", "127.0.0.1", true, false};
-const Interface wire{"eth0", "192.0.2.7", false, true};
-const Interface tunnel{"tun0", "10.0.0.1", false, false};
+const NetworkInterface loopback{"lo", "127.0.0.1", true, false};
+const NetworkInterface wire{"eth0", "192.0.2.7", false, true};
+const NetworkInterface tunnel{"tun0", "10.0.0.1", false, false};
 
-std::string works(const Interface&) {
+std::string works(const NetworkInterface&) {
   return "";
 }
-std::string fails(const Interface&) {
+std::string fails(const NetworkInterface&) {
   return "a datagram did not come back";
+}
+
+TEST(Interfaces, AreToldAsTheyAreUsed) {
+  EXPECT_EQ(check_interfaces({loopback, wire}, {}), (Check{Level::good, "interfaces", "eth0 (192.0.2.7)", ""}));
+  messaging::JoinOptions join;
+  join.loopback_only = true;
+  EXPECT_EQ(check_interfaces({loopback, wire}, join).finding, "only loopback, with --loopback-only");
+  EXPECT_EQ(check_interfaces({loopback}, {}).level, Level::notable);
+}
+
+TEST(Interfaces, OfWhichCycloneTakesOneShouldBeChosen) {
+  messaging::JoinOptions join;
+  EXPECT_EQ(check_interfaces({wire, tunnel}, join).level, Level::notable);
+  EXPECT_THAT(check_interfaces({wire, tunnel}, join).advice, HasSubstr("--interface NAME"));
+  join.vendor = "fastdds";
+  EXPECT_EQ(check_interfaces({wire, tunnel}, join).level, Level::good) << "which takes all";
+  join.vendor = "cyclonedds";
+  join.interfaces = {"eth0"};
+  EXPECT_EQ(check_interfaces({wire, tunnel}, join), (Check{Level::good, "interfaces", "chosen: eth0 (192.0.2.7)", ""}));
 }
 
 TEST(Multicast, WorksWhereOneInterfaceHasIt) {
@@ -47,9 +69,26 @@ TEST(Multicast, IsMissedOnlyWhereNoPeerIsNamed) {
   EXPECT_EQ(check_multicast({loopback, wire}, alone, fails).back().level, Level::good);
 }
 
+TEST(Multicast, IsTriedOnTheChosenInterfacesOnly) {
+  messaging::JoinOptions join;
+  join.interfaces = {"tun0"};
+  const auto checks = check_multicast({loopback, wire, tunnel}, join, works);
+  ASSERT_EQ(checks.size(), 2U);
+  EXPECT_EQ(checks[0].finding, "tun0 (10.0.0.1): the interface has none");
+  EXPECT_EQ(checks[1].level, Level::trouble);
+}
+
+TEST(Multicast, IsNotNeededWithADiscoveryServer) {
+  messaging::JoinOptions join;
+  join.discovery_servers = {"a.example"};
+  const auto checks = check_multicast({loopback, wire}, join, fails);
+  ASSERT_EQ(checks.size(), 1U);
+  EXPECT_EQ(checks[0].level, Level::good);
+}
+
 TEST(Multicast, IsTriedOnTheLoopbackInterfaceOfThisMachine) {
   // Every Linux machine sends itself what it sends to a group, also where nothing else gets it.
-  for (const auto& interface : interfaces()) {
+  for (const auto& interface : messaging::network_interfaces()) {
     if (!interface.multicast) continue;
     EXPECT_EQ(multicast_fault(interface), "") << interface.name;
   }
@@ -97,6 +136,14 @@ TEST(Environment, IsToldWhereItSurprises) {
   EXPECT_EQ(checks[1].finding, "CYCLONEDDS_URI is set, and heeded: file:///etc/dds.xml");
 }
 
+TEST(Environment, TellsWhichConfigurationIsHeeded) {
+  messaging::JoinOptions join;
+  join.configuration_file = "/etc/lamprey/lamprey.yaml";
+  const auto checks = check_environment([](const char*) { return std::string(); }, join);
+  ASSERT_EQ(checks.size(), 1U);
+  EXPECT_EQ(checks[0].finding, "/etc/lamprey/lamprey.yaml is heeded");
+}
+
 messaging::discovery::Participant program(const std::string& role, std::uint32_t process,
                                           const std::string& isolation = "lamprey", const std::string& build = "1",
                                           std::uint32_t wire_version = messaging::wire_version) {
@@ -125,6 +172,31 @@ TEST(Company, InAnotherIsolationMayBeTheOneThatIsMeant) {
   EXPECT_EQ(checks[0].finding, "none in domain 0, isolation lamprey");
   EXPECT_EQ(checks[2].finding, "1 program is in isolation lab, which never meet those in lamprey");
   EXPECT_EQ(checks[2].advice, "If that is where you want to be: --isolation lab.");
+}
+
+TEST(Company, OfADiscoveryServerIsNobodys) {
+  messaging::JoinOptions join;
+  join.discovery_servers = {"a.example"};
+  const auto checks = check_company({{program("discovery-server", 1, "")}, {}}, join);
+  ASSERT_EQ(checks.size(), 2U);
+  EXPECT_THAT(checks[0].advice, HasSubstr("name the discovery server"));
+  EXPECT_EQ(checks[1].finding, "0 programs of Lamprey's are in isolation lamprey");
+}
+
+TEST(Servers, AreThereOrTroubleEachByItself) {
+  messaging::JoinOptions join;
+  EXPECT_THAT(check_servers({}, join), IsEmpty());
+  join.discovery_servers = {"a.example", "b.example:11813"};
+  messaging::discovery::Participant server;
+  const std::string_view guid("DS\0_EPROSIMA", 12);
+  std::ranges::copy(guid, server.guid.begin());
+  const auto checks = check_servers({{server}, {}}, join);
+  ASSERT_EQ(checks.size(), 2U);
+  EXPECT_EQ(checks[0], (Check{Level::good, "discovery server", "a.example:11811 is there", ""}));
+  EXPECT_EQ(checks[1].level, Level::trouble);
+  EXPECT_EQ(checks[1].finding, "b.example:11813 doesn't answer");
+  join.loopback_only = true;
+  EXPECT_THAT(check_servers({}, join), IsEmpty()) << "they are not asked";
 }
 
 TEST(Versions, ThatNeverMeetAreTrouble) {

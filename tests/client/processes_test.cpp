@@ -119,12 +119,14 @@ class FleetTest : public testing::Test {
     ::chmod(site.file(name, "#!/bin/sh\n" + script + "\n").c_str(), 0755);
   }
 
-  std::unique_ptr<Fleet> start(std::uint32_t workers, std::vector<std::string> vendors = {}) {
+  std::unique_ptr<Fleet> start(std::uint32_t workers, std::vector<std::string> vendors = {},
+                               const std::string& configuration_file = {}) {
     FleetOptions options;
     options.program_folder = site.path("");
     options.database = "x.db";
     options.workers = workers;
     options.join.isolation = "run-test";
+    options.join.configuration_file = configuration_file;
     options.worker_vendors = std::move(vendors);
     return std::make_unique<Fleet>(std::move(options), [this](const std::string& line) { said.push_back(line); });
   }
@@ -148,6 +150,17 @@ TEST_F(FleetTest, PassesOptionsOnAndTakesVendorsInTurn) {
                        "--database x.db"));
   EXPECT_TRUE(was_said(*fleet, "W: --dds fastdds --domain 0 --isolation run-test"));
   EXPECT_TRUE(was_said(*fleet, "W: --dds cyclonedds --domain 0 --isolation run-test"));
+}
+
+// By its peers and interfaces they find a robot's bridge.
+TEST_F(FleetTest, PassesTheConfigurationFileOn) {
+  program("lamprey-coordinator", std::string("echo C: $*; ") + waits);
+  program("lamprey-worker", std::string("echo W: $*; ") + waits);
+  const auto fleet = start(1, {}, "/etc/lamprey/lamprey.yaml");
+  EXPECT_TRUE(was_said(*fleet, "--loopback-only --config /etc/lamprey/lamprey.yaml --database x.db"));
+  EXPECT_TRUE(was_said(*fleet,
+                       "W: --dds cyclonedds --domain 0 --isolation run-test --log-level warn --loopback-only "
+                       "--config /etc/lamprey/lamprey.yaml"));
 }
 
 TEST_F(FleetTest, TheCoordinatorsErrorAndExitCodeAreTheFailure) {

@@ -5,6 +5,7 @@
 #include "storage/results_store.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <unistd.h>
 #include <utility>
@@ -51,6 +52,7 @@ Site::Site() {
   directory_ = std::filesystem::temp_directory_path() /
                ("lamprey-client-" + std::to_string(::getpid()) + "-" + std::to_string(counter++));
   std::filesystem::create_directories(directory_);
+  ::setenv("LAMPREY_CONFIG", "/dev/null", 1);  // whatever this machine is set to
 }
 
 Site::~Site() {

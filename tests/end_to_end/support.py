@@ -39,6 +39,7 @@ class Programs(unittest.TestCase):
         self.addCleanup(self.kill_all)
         self.environment = {name: value for name, value in os.environ.items()
                             if not name.startswith(("LAMPREY_", "CYCLONEDDS_", "FASTRTPS_", "ROS_"))}
+        self.environment["LAMPREY_CONFIG"] = "/dev/null"  # whatever this machine is set to
 
     def kill_all(self):
         for process in self.processes:

@@ -40,6 +40,20 @@ class BadInput(Programs):
         self.refused(["verify", "nothing.db"], STORAGE, "nothing.db")
         self.refused(["results", "a", "--database", "nothing.db"], STORAGE, "nothing.db")
 
+    def test_configuration_files(self):
+        configuration = self.write("site.yaml", "isolation: lab\npers: [a]\ndomain: 231\n")
+        for command in (["status"], ["run", "none.yaml", "--database", self.folder / "new.db"]):
+            self.refused([*command, "--config", configuration], USAGE, "site.yaml:2:1: ", "'pers'; did you mean 'peers'?",
+                         "site.yaml:3:9: domain: ", "0 to 230")
+        self.refused(["status", "--config", "nothing.yaml"], USAGE, "nothing.yaml", "no such file")
+        for program in ("lamprey-coordinator", "lamprey-worker", "lamprey-bridge"):
+            more = {"lamprey-coordinator": ["--database", self.folder / "new.db"],
+                    "lamprey-bridge": ["--robot", "bench", "--driver", "mock"]}.get(program, [])
+            process = self.start(program, *more, "--config", configuration, *self.join)
+            self.assertEqual(process.wait(30), USAGE, program)
+            self.assertIn("site.yaml:3:9: domain: ", self.log_of(process))
+        self.assertFalse((self.folder / "new.db").exists())
+
     def test_parameters_on_the_command_line(self):
         self.refused(["evaluate", "gate=walk"], USAGE, "gate", "did you mean 'gait'")
         self.refused(["evaluate", "gait=wlak"], USAGE, "wlak", "did you mean 'walk'")

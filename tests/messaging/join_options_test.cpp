@@ -1,5 +1,9 @@
 #include "messaging/program/join_options.hpp"
 
+#include "messaging/network_interfaces.hpp"
+#include "tests/messaging/scratch_folder.hpp"
+
+#include <algorithm>
 #include <cstdlib>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,13 +23,18 @@ class JoinCommandLine : public ::testing::Test {
   void TearDown() override { clear(); }
 
   static void clear() {
-    for (const char* name : {"LAMPREY_DDS", "LAMPREY_DOMAIN", "ROS_DOMAIN_ID", "LAMPREY_ISOLATION", "LAMPREY_PEERS"}) {
+    for (const char* name : {"LAMPREY_DDS", "LAMPREY_DOMAIN", "ROS_DOMAIN_ID", "LAMPREY_ISOLATION", "LAMPREY_PEERS",
+                             "LAMPREY_INTERFACES", "LAMPREY_DISCOVERY_SERVERS", "LAMPREY_CONFIG"}) {
       unsetenv(name);
     }
   }
 
+  /// Where a configuration file usually is there is none, or this one.
+  std::string write_usual(const std::string& text) { return folder.write("lamprey/lamprey.yaml", text); }
+
   /// What went wrong, or nothing.
   std::string parse(std::vector<std::string> arguments) {
+    options = {};
     CLI::App app("test", "test");
     app.add_option("sweep", positional);
     add_join_options(app, options);
@@ -38,6 +47,8 @@ class JoinCommandLine : public ::testing::Test {
     }
   }
 
+  tests::ScratchFolder folder;
+  tests::Variable no_users_own{"XDG_CONFIG_HOME", folder.path("")};
   JoinOptions options;
   std::string positional;
 };
@@ -82,7 +93,7 @@ TEST_F(JoinCommandLine, PeersOfTheEnvironmentAreASiteWideSettingThatTheCommandLi
   EXPECT_EQ(parse({"--peer", "b.example"}), "");
   EXPECT_THAT(options.peers, ElementsAre("b.example"));
   EXPECT_EQ(parse({"--loopback-only"}), "") << "one machine needs none";
-  EXPECT_THAT(options.peers, ::testing::IsEmpty());
+  EXPECT_THAT(options.peers, ElementsAre("a.example", "192.0.2.1")) << "a robot may be elsewhere all the same";
   EXPECT_THAT(parse({"--loopback-only", "--peer", "b.example"}), HasSubstr("--peer"));
   setenv("LAMPREY_PEERS", "a<b", 1);
   EXPECT_THAT(parse({}), AllOf(HasSubstr("'a<b'"), HasSubstr("LAMPREY_PEERS")));
@@ -97,6 +108,7 @@ TEST_F(JoinCommandLine, RosDomainCountsWhereOursIsNotSet) {
 
 TEST_F(JoinCommandLine, BadValuesSayWhatIsAllowed) {
   EXPECT_THAT(parse({"--dds", "rti"}), AllOf(HasSubstr("'rti'"), HasSubstr("cyclonedds, fastdds")));
+  EXPECT_THAT(parse({"--dds", "fastdd"}), HasSubstr("did you mean 'fastdds'?"));
   EXPECT_THAT(parse({"--domain", "231"}), AllOf(HasSubstr("'231'"), HasSubstr("0 to 230")));
   EXPECT_THAT(parse({"--domain", "-1"}), HasSubstr("0 to 230"));
   EXPECT_THAT(parse({"--domain", "1x"}), HasSubstr("'1x'"));
@@ -111,6 +123,125 @@ TEST_F(JoinCommandLine, BadEnvironmentIsAnErrorTooAndNamesTheVariable) {
   clear();
   setenv("LAMPREY_DDS", "rti", 1);
   EXPECT_THAT(parse({}), HasSubstr("LAMPREY_DDS"));
+}
+
+TEST_F(JoinCommandLine, InterfaceThatIsNotThereIsAnsweredWithTheNearestOne) {
+  EXPECT_THAT(parse({"--interface", "127.0.0.2"}),
+              AllOf(HasSubstr("--interface: "), HasSubstr("'127.0.0.2'"), HasSubstr("did you mean '127.0.0.1'?")));
+  EXPECT_THAT(parse({"--interface", "lo"}), HasSubstr("--loopback-only"));
+  EXPECT_THAT(parse({"--interface", ""}), HasSubstr("name or address"));
+  setenv("LAMPREY_INTERFACES", "no-such-interface", 1);
+  EXPECT_THAT(parse({}), HasSubstr("LAMPREY_INTERFACES: no network interface"));
+  EXPECT_EQ(parse({"--loopback-only"}), "") << "then it is not used";
+  const auto file = write_usual("\ninterfaces: no-such-interface\n");
+  clear();
+  EXPECT_THAT(parse({}), HasSubstr(file + ":2: interfaces: no network interface"));
+}
+
+TEST_F(JoinCommandLine, InterfacesAreTakenByNameAndAddress) {
+  const auto existing = network_interfaces();
+  const auto usable =
+      std::ranges::find_if(existing, [](const NetworkInterface& interface) { return !interface.loopback; });
+  if (usable == existing.end()) GTEST_SKIP() << "this machine has no interface but loopback";
+  EXPECT_EQ(parse({"--interface", usable->name, "--interface", usable->address}), "");
+  EXPECT_THAT(options.interfaces, ElementsAre(usable->name, usable->address));
+  EXPECT_THAT(parse({"--interface", usable->name, "--loopback-only"}), HasSubstr("--interface"));
+  setenv("LAMPREY_INTERFACES", (usable->name + "," + usable->address).c_str(), 1);
+  EXPECT_EQ(parse({}), "");
+  EXPECT_THAT(options.interfaces, ElementsAre(usable->name, usable->address));
+}
+
+TEST_F(JoinCommandLine, DiscoveryServerIsFastDdsOnly) {
+  EXPECT_EQ(parse({"--dds", "fastdds", "--discovery-server", "a.example", "--discovery-server", "b.example:11812"}),
+            "");
+  EXPECT_THAT(options.discovery_servers, ElementsAre("a.example", "b.example:11812"));
+  EXPECT_THAT(parse({"--discovery-server", "a.example"}),
+              AllOf(HasSubstr("--discovery-server: Cyclone DDS has no discovery server"), HasSubstr("--dds fastdds")));
+  setenv("LAMPREY_DISCOVERY_SERVERS", "a.example", 1);
+  EXPECT_THAT(parse({}), HasSubstr("LAMPREY_DISCOVERY_SERVERS: Cyclone DDS"));
+  EXPECT_EQ(parse({"--dds", "fastdds"}), "");
+  EXPECT_THAT(options.discovery_servers, ElementsAre("a.example"));
+}
+
+TEST_F(JoinCommandLine, BadDiscoveryServersSayWhatIsAllowed) {
+  EXPECT_THAT(parse({"--dds", "fastdds", "--discovery-server", "a:80"}), HasSubstr("11811 to 12066"));
+  EXPECT_THAT(parse({"--dds", "fastdds", "--discovery-server", "a,b"}),
+              AllOf(HasSubstr("'a' and 'b'"), HasSubstr("one port, 11811")));
+  EXPECT_THAT(parse({"--dds", "fastdds", "--discovery-server", "a", "--peer", "b"}), HasSubstr("--peer"));
+  EXPECT_THAT(parse({"--dds", "fastdds", "--discovery-server", "a", "--loopback-only"}),
+              HasSubstr("--discovery-server"));
+}
+
+TEST_F(JoinCommandLine, OfPeersAndDiscoveryServersTheOnesSaidInTheStrongerPlaceCount) {
+  setenv("LAMPREY_PEERS", "a.example", 1);
+  EXPECT_EQ(parse({"--dds", "fastdds", "--discovery-server", "b.example"}), "");
+  EXPECT_THAT(options.peers, ::testing::IsEmpty());
+  setenv("LAMPREY_DISCOVERY_SERVERS", "b.example", 1);
+  EXPECT_EQ(parse({"--peer", "c.example"}), "") << "Cyclone DDS, too, since no server is asked";
+  EXPECT_THAT(options.peers, ElementsAre("c.example"));
+  EXPECT_THAT(options.discovery_servers, ::testing::IsEmpty());
+}
+
+TEST_F(JoinCommandLine, FileIsAskedLast) {
+  const auto file = write_usual("dds: fastdds\ndomain: 5\nisolation: lab\npeers: [a.example, b.example]\n");
+  EXPECT_EQ(parse({}), "");
+  EXPECT_EQ(options.vendor, "fastdds");
+  EXPECT_EQ(options.domain, 5U);
+  EXPECT_EQ(options.isolation, "lab");
+  EXPECT_THAT(options.peers, ElementsAre("a.example", "b.example"));
+  EXPECT_EQ(options.configuration_file, file);
+  setenv("LAMPREY_DOMAIN", "6", 1);
+  setenv("LAMPREY_PEERS", "c.example", 1);
+  EXPECT_EQ(parse({"--isolation", "mine"}), "");
+  EXPECT_EQ(options.vendor, "fastdds");
+  EXPECT_EQ(options.domain, 6U);
+  EXPECT_EQ(options.isolation, "mine");
+  EXPECT_THAT(options.peers, ElementsAre("c.example"));
+}
+
+TEST_F(JoinCommandLine, FileIsTheOneThatIsNamed) {
+  write_usual("domain: 1\n");
+  const auto of_environment = folder.write("of_environment.yaml", "domain: 2\n");
+  const auto of_command_line = folder.write("of_command_line.yaml", "domain: 3\n");
+  setenv("LAMPREY_CONFIG", of_environment.c_str(), 1);
+  EXPECT_EQ(parse({}), "");
+  EXPECT_EQ(options.domain, 2U);
+  EXPECT_EQ(parse({"--config", of_command_line}), "");
+  EXPECT_EQ(options.domain, 3U);
+  EXPECT_EQ(parse({"--config", "/dev/null"}), "");
+  EXPECT_EQ(options.domain, 0U);
+  EXPECT_THAT(parse({"--config", folder.path("no.yaml")}), HasSubstr(folder.path("no.yaml") + ": no such file"));
+}
+
+TEST_F(JoinCommandLine, MistakesOfAFileAreRefusedAsThoseOfTheCommandLine) {
+  const auto file = write_usual("isolation: lab\npears: a.example\n");
+  EXPECT_THAT(parse({}), AllOf(HasSubstr(file + ":2:1: "), HasSubstr("'pears'; did you mean 'peers'?")));
+}
+
+TEST_F(JoinCommandLine, LoopbackOnlyInAFileIsNotOverruledInSilence) {
+  const auto file = write_usual("loopback_only: true\n");
+  EXPECT_EQ(parse({}), "");
+  EXPECT_TRUE(options.loopback_only);
+  EXPECT_THAT(parse({"--peer", "a.example"}), AllOf(HasSubstr(file + ":1: loopback_only"), HasSubstr("--peer")));
+  EXPECT_EQ(parse({"--peer", "a.example", "--loopback-only=false"}), "");
+  EXPECT_FALSE(options.loopback_only);
+  EXPECT_THAT(options.peers, ElementsAre("a.example"));
+}
+
+TEST_F(JoinCommandLine, LoopbackOnlyHeedsNoPeersOfAFile) {
+  write_usual("peers: a.example\n");
+  EXPECT_EQ(parse({"--loopback-only"}), "");
+  EXPECT_TRUE(options.loopback_only);
+}
+
+TEST_F(JoinCommandLine, WhatIsRemovedFromTheCommandLineIsHeededInAFileOnly) {
+  write_usual("isolation: lab\n");
+  setenv("LAMPREY_ISOLATION", "mine", 1);
+  CLI::App app("test", "test");
+  add_join_options(app, options);
+  app.remove_option(app.get_option("--isolation"));
+  app.parse(std::vector<std::string>{});
+  EXPECT_EQ(options.isolation, "lab");
 }
 
 }  // namespace
