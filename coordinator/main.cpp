@@ -39,6 +39,7 @@ int serve(const Options& options) {
   const auto bridges = program::join_bridges(options.join, options.bridge_isolation);
   spdlog::info("{}, database {}, epoch {}, {} domain {}, isolation {}", program::build(), options.database,
                store.epoch(), participant->vendor(), options.join.domain, options.join.isolation);
+  program::warn_of_open_door(options.join, bridges != nullptr);
   coordinator::Coordinator coordinator(*participant, std::move(store), signal, {}, coordinator::Clock::now(),
                                        bridges.get());
   program::NetworkReport network(*participant, options.join);

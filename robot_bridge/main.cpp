@@ -145,6 +145,7 @@ int serve(const Options& options) {
   spdlog::info("{}, robot {}, driver {}{}, {} steps per second, {} domain {}, isolation {}", program::build(),
                options.robot, options.driver, options.dry_run ? " (dry run)" : "", options.rate, participant->vendor(),
                options.join.domain, options.join.isolation);
+  program::warn_of_open_door(options.join);
   robot_bridge::ControlLoop control(
       std::move(driver), calibration,
       {.rate = options.rate, .off_after = std::chrono::milliseconds(options.off_after_milliseconds)}, signal);

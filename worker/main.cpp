@@ -70,6 +70,7 @@ int serve(const Options& options) {
   spdlog::info("{}, worker {:016x}, {} threads, {} domain {}, isolation {}; waiting for a coordinator",
                program::build(), identity.incarnation, executor->threads(), participant->vendor(), options.join.domain,
                options.join.isolation);
+  program::warn_of_open_door(options.join, with_bridge != nullptr);
   worker::Worker worker(*participant, *executor, signal, identity, worker::Clock::now());
   program::NetworkReport network(*participant, options.join);
   program::StallGuard guard;

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <spdlog/spdlog.h>
 #include <stdexcept>
 #include <string>
 #include <unistd.h>
@@ -19,6 +20,12 @@ namespace lamprey::messaging::program {
 namespace {
 
 using Values = std::vector<std::string>;
+
+std::string joined(const Values& values) {
+  std::string text;
+  for (const auto& value : values) text += (text.empty() ? "" : ", ") + value;
+  return text;
+}
 
 /// Where a field's values are from; the stronger the later.
 enum class Origin : unsigned char { program, file, environment, command_line };
@@ -184,6 +191,17 @@ std::unique_ptr<Participant> join_bridges(const JoinOptions& own, const std::str
   options.isolation = isolation;
   options.loopback_only = false;
   return join(options);
+}
+
+void warn_of_open_door(const JoinOptions& options, bool bridges_too) {
+  if (options.loopback_only && !bridges_too) return;
+  const std::string where = options.interfaces.empty() ? "the network" : joined(options.interfaces);
+  spdlog::warn(
+      "there is no security: whoever reaches this host over {} may join domain {}, see everything and change "
+      "anything{}",
+      where, options.domain,
+      options.loopback_only ? "; only for its robot does this program listen there"
+                            : "; --loopback-only keeps programs on this machine");
 }
 
 }  // namespace lamprey::messaging::program

@@ -41,4 +41,8 @@ discovery::Introduction introduction(std::string_view role);
 /// `isolation` is empty. Throws JoinError.
 std::unique_ptr<Participant> join_bridges(const JoinOptions& own, const std::string& isolation);
 
+/// Logs a warning, to be called once, where the program listens to more than this machine: nobody is asked who they
+/// are. `bridges_too`: it has joined with join_bridges, which listens so whatever the options say.
+void warn_of_open_door(const JoinOptions& options, bool bridges_too = false);
+
 }  // namespace lamprey::messaging::program

@@ -7,6 +7,9 @@
 #include <cstdlib>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <spdlog/sinks/ostream_sink.h>
+#include <spdlog/spdlog.h>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -242,6 +245,38 @@ TEST_F(JoinCommandLine, WhatIsRemovedFromTheCommandLineIsHeededInAFileOnly) {
   app.remove_option(app.get_option("--isolation"));
   app.parse(std::vector<std::string>{});
   EXPECT_EQ(options.isolation, "lab");
+}
+
+class OpenDoor : public ::testing::Test {
+ protected:
+  /// What is logged of it.
+  static std::string warning(const JoinOptions& options, bool bridges_too = false) {
+    std::ostringstream log;
+    const auto before = spdlog::default_logger();
+    spdlog::set_default_logger(
+        std::make_shared<spdlog::logger>("test", std::make_shared<spdlog::sinks::ostream_sink_mt>(log)));
+    warn_of_open_door(options, bridges_too);
+    spdlog::set_default_logger(before);
+    return log.str();
+  }
+};
+
+TEST_F(OpenDoor, IsWarnedOfOnceWhereOthersCanReachTheProgram) {
+  JoinOptions options;
+  options.domain = 7;
+  const auto text = warning(options);
+  EXPECT_THAT(
+      text, AllOf(HasSubstr("warning"), HasSubstr("no security"), HasSubstr("domain 7"), HasSubstr("--loopback-only")));
+  EXPECT_EQ(std::ranges::count(text, '\n'), 1);
+  options.interfaces = {"eth0", "eth1"};
+  EXPECT_THAT(warning(options), HasSubstr("over eth0, eth1"));
+}
+
+TEST_F(OpenDoor, IsNoneOnThisMachineUnlessARobotMayBeElsewhere) {
+  JoinOptions options;
+  options.loopback_only = true;
+  EXPECT_EQ(warning(options), "");
+  EXPECT_THAT(warning(options, true), AllOf(HasSubstr("no security"), HasSubstr("robot")));
 }
 
 }  // namespace
