@@ -90,6 +90,19 @@ class Hosts:
         elif multicast:
             ip(host.namespace, "route", "add", "224.0.0.0/4", "dev", "lan")
 
+    def add_network(self, device, *names):
+        """A second network between these hosts, each at it with a device of that name, at 10.79.0.1 and so on. Nobody
+        speaks IPv6 any more: what comes over a network was sent by a program."""
+        subnet = 79
+        self._add_switch(subnet, False)
+        for number, name in enumerate(names, start=1):
+            host = self.hosts[name]
+            self._plug_in(host.namespace, device, subnet, host.port)
+            ip(host.namespace, "addr", "add", f"10.79.0.{number}/24", "dev", device)
+        for namespace in self._namespaces:
+            subprocess.run(["ip", "netns", "exec", namespace, "sysctl", "-qw", "net.ipv6.conf.all.disable_ipv6=1"],
+                           check=True)
+
     def _write_names(self):
         """What `ip netns exec` puts in the place of /etc/hosts."""
         names = "127.0.0.1 localhost\n" + "".join(f"{host.address} {host.name}\n" for host in self.hosts.values())
@@ -112,7 +125,7 @@ class Hosts:
         host = self.hosts[name]
         ip(self._switch(host.subnet), "link", "set", host.port, "master", "switch")
 
-    def received_octets(self, name):
+    def received_octets(self, name, device="lan"):
         """By the host's network device so far."""
-        link = json.loads(ip(self.hosts[name].namespace, "-j", "-s", "link", "show", "lan"))[0]
+        link = json.loads(ip(self.hosts[name].namespace, "-j", "-s", "link", "show", device))[0]
         return link["stats64"]["rx"]["bytes"]

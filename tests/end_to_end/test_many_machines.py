@@ -122,6 +122,7 @@ class Guide(OnHosts):
         self.write_tools()
         self.environment["PATH"] = f"{self.tools}:{self.prefix}/bin:{self.environment['PATH']}"
         self.environment["LAMPREY_ISOLATION"] = self.isolation
+        self.environment["HOME"] = str(self.folder / "home")
 
     def install(self):
         self.prefix = self.folder / "opt"
@@ -150,7 +151,7 @@ class Guide(OnHosts):
     def type_in(self, host, line):
         line = line.replace("/opt/lamprey", str(self.prefix))
         words = shlex.split(line)
-        if words[0] in ("lamprey-coordinator", "lamprey-worker", "ssh", "sbatch"):
+        if words[0] in ("lamprey-coordinator", "lamprey-worker", "lamprey-discovery-server", "ssh", "sbatch"):
             self.start_on(host, *words)
             time.sleep(0.5)
             self.assertIsNone(self.processes[-1].poll(), f"{host}$ {line}\n{self.log_of(self.processes[-1])}")
@@ -178,6 +179,23 @@ class Guide(OnHosts):
             self.assertIn(program, network)
         self.assertNotIn("trouble", health)
 
+    def test_chosen_networks(self):
+        self.assertIn("database", self.walk("A machine with several networks")[-1])
+
+    def test_what_a_site_always_says(self):
+        for name in ("LAMPREY_CONFIG", "LAMPREY_ISOLATION"):
+            del self.environment[name]
+        self.assertIn("database", self.walk("What a site always says")[-1])
+
+    def test_discovery_server(self):
+        server, *others = self.lines("By a discovery server")
+        self.type_in(*server)
+        self.wait_until(lambda: "find each other" in self.log_of(self.processes[-1]), "the server's start")
+        network, status = [self.type_in(*line) for line in others][-2:]
+        for role in ("discovery-server", "coordinator", "worker"):
+            self.assertIn(role, network)
+        self.assertIn("database", status)
+
     def test_peers_ssh_and_a_batch_queue(self):
         self.type_in(*self.lines("By hand")[0])
         status = self.walk("Where there is no multicast")[-1]
@@ -194,7 +212,7 @@ class Guide(OnHosts):
             for unit in re.findall(r"/opt/lamprey(/lib/systemd/\S+)", line):
                 self.assertTrue((self.prefix / unit[1:]).exists(), unit)
         for name, instance in (("lamprey-coordinator.service", ""), ("lamprey-worker@.service", "2"),
-                               ("lamprey-bridge@.service", "bench")):
+                               ("lamprey-bridge@.service", "bench"), ("lamprey-discovery-server.service", "")):
             with self.subTest(name):
                 self.verify(folder / name, instance)
         command = self.command_of(folder / "lamprey-worker@.service", "2")
