@@ -54,7 +54,8 @@ Ledger::Ledger(LedgerOptions options, Clock::time_point start, bool restarted, s
     : options_(options),
       now_(start),
       grants_from_(restarted ? start + options.adoption_grace : start),
-      next_lease_(first_lease) {}
+      next_lease_(first_lease),
+      expiry_due_(start) {}
 
 Ledger::Heartbeat Ledger::heartbeat(const messaging::WorkerStatus& status, const Id128& database,
                                     Clock::time_point now) {
@@ -67,7 +68,7 @@ Ledger::Heartbeat Ledger::heartbeat(const messaging::WorkerStatus& status, const
     reaction.left = true;
     const auto leases = known->second.leases;
     for (const auto lease : leases) release(lease);
-    workers_.erase(known);
+    remove(known);
     draining_.erase(id);
     return reaction;
   }
@@ -75,6 +76,8 @@ Ledger::Heartbeat Ledger::heartbeat(const messaging::WorkerStatus& status, const
   if (known != workers_.end() && status.heartbeat <= known->second.status.heartbeat) return reaction;
   reaction.joined = known == workers_.end();
   Worker& worker = workers_[id];
+  // Only what it says of itself can make it serve a sweep that it did not serve before.
+  if (worker.status.labels != status.labels) may_grant_ = true;
   worker.status = status;
   worker.heard = now;
   worker.draining = draining_.contains(id);
@@ -88,6 +91,7 @@ Ledger::Heartbeat Ledger::heartbeat(const messaging::WorkerStatus& status, const
                        ", this database holds version " + std::to_string(experiment::science_version);
       reaction.send.push_back(std::move(refusal));
     }
+    note_capacity(id, worker);
     return reaction;
   }
   if (reaction.joined) {
@@ -109,6 +113,7 @@ Ledger::Heartbeat Ledger::heartbeat(const messaging::WorkerStatus& status, const
     }
   }
   repeat_unlisted(worker, listed, reaction, now);
+  note_capacity(id, worker);
   return reaction;
 }
 
@@ -188,6 +193,7 @@ void Ledger::repeat_unlisted(Worker& worker, const std::set<std::uint64_t>& list
     lease.unlisted_heartbeats = 0;
     if (++lease.repeats > maximum_repeats) {
       worker.not_before[lease.sweep] = now + untaken_pause;
+      pauses_.insert(now + untaken_pause);
       release(id);
     } else {
       lease.sent = now;
@@ -200,20 +206,29 @@ void Ledger::repeat_unlisted(Worker& worker, const std::set<std::uint64_t>& list
 Ledger::Expired Ledger::expire(Clock::time_point now) {
   now_ = now;
   Expired expired;
+  // Moments of hearing and renewal only move on: before the earliest of the last look nothing can have expired.
+  if (now <= expiry_due_) return expired;
+  auto earliest = now;
   for (auto it = workers_.begin(); it != workers_.end();) {
     if (now - it->second.heard <= options_.lease_duration) {
+      earliest = std::min(earliest, it->second.heard);
       ++it;
       continue;
     }
     const auto leases = it->second.leases;
     for (const auto lease : leases) lose(lease, "its worker fell silent", expired);
     expired.workers.push_back(it->first);
-    it = workers_.erase(it);
+    it = remove(it);
   }
   std::vector<std::uint64_t> overdue;
   for (const auto& [id, lease] : leases_) {
-    if (now - lease.renewed > options_.lease_duration) overdue.push_back(id);
+    if (now - lease.renewed > options_.lease_duration) {
+      overdue.push_back(id);
+    } else {
+      earliest = std::min(earliest, lease.renewed);
+    }
   }
+  expiry_due_ = earliest + options_.lease_duration;
   for (const auto id : overdue) {
     expired.leases.push_back({id, leases_.at(id).worker, leases_.at(id).sweep, leases_.at(id).remaining.size(),
                               "its worker no longer lists it"});
@@ -235,8 +250,17 @@ void Ledger::forget(std::map<std::uint64_t, Lease>::iterator lease) {
   Worker& worker = workers_.at(lease->second.worker);
   worker.leases.erase(lease->first);
   if (lease->second.exclusive) worker.exclusive = false;
+  note_capacity(lease->second.worker, worker);
+  may_grant_ = true;
   if (const auto sweep = sweeps_.find(lease->second.sweep); sweep != sweeps_.end()) --sweep->second.leases;
   leases_.erase(lease);
+}
+
+Ledger::Workers::iterator Ledger::remove(Workers::iterator worker) {
+  slots_ -= worker->second.slots;
+  with_room_.erase(worker->first);
+  may_grant_ = true;
+  return workers_.erase(worker);
 }
 
 /// The worker died with the lease, and one of its jobs may be why. The lease is cut into parts, again and again if need
@@ -302,6 +326,7 @@ std::optional<messaging::Lease> Ledger::drain(std::uint64_t id) {
   if (worker == workers_.end()) return std::nullopt;
   draining_.insert(id);
   worker->second.draining = true;
+  note_capacity(id, worker->second);
   return drain_message();
 }
 
@@ -349,6 +374,7 @@ void Ledger::ended(const Id128& id, std::uint64_t job, std::uint64_t hint, doubl
   const auto found = sweeps_.find(id);
   if (found == sweeps_.end()) return;
   Sweep& sweep = found->second;
+  may_grant_ = true;  // there may be room below the sweep's most concurrent jobs
   sweep.attempts.erase(job);
   sweep.losses.erase(job);
   sweep.checkpointed.erase(job);
@@ -386,6 +412,7 @@ Ledger::Refused Ledger::refused(const Id128& id, std::uint64_t job, std::uint64_
   Worker& worker = workers_.at(worker_id);
   if (++worker.refused_results == options_.maximum_refused_results) {
     worker.refused = true;
+    note_capacity(worker_id, worker);
     reaction.farewell.emplace();
     reaction.farewell->kind = messaging::LeaseKind::refuse;
     reaction.farewell->reason =

@@ -199,10 +199,12 @@ class Ledger {
     std::set<std::uint64_t> leases;
     std::map<Id128, Clock::time_point> not_before;  ///< sweeps whose leases it didn't take (another version, say)
     std::uint32_t refused_results = 0;
+    std::uint32_t slots = 0;  ///< its part of slots_
     bool refused = false;
     bool exclusive = false;  ///< holds an exclusive lease
     bool draining = false;
   };
+  using Workers = std::map<std::uint64_t, Worker>;
   struct Attempts {
     std::uint32_t count = 0;
     std::set<std::uint64_t> workers;  ///< that were lost, or refused, with it
@@ -231,6 +233,7 @@ class Ledger {
   static std::uint64_t room(const Sweep& sweep);
   std::vector<messaging::Lease> take_leases_back(const Id128& sweep, const std::string& reason);
   std::vector<Id128> grant_order() const;
+  bool anything_to_grant(Clock::time_point now);
   messaging::Lease grant_message(std::uint64_t id, const Lease& lease) const;
   void repeat_unlisted(Worker& worker, const std::set<std::uint64_t>& listed, Heartbeat& reaction,
                        Clock::time_point now);
@@ -242,7 +245,10 @@ class Ledger {
   void lose_single(const Lease& lease, Sweep& sweep, JobRanges& rest, const std::string& reason, Expired& expired);
   std::optional<QuarantinedJob> count_attempt(Sweep& sweep, const Id128& id, std::uint64_t job, std::uint64_t worker,
                                               const std::string& reason);
+  Workers::iterator remove(Workers::iterator worker);
   bool may_take(const Worker& worker) const;
+  bool has_room(const Worker& worker) const;
+  void note_capacity(std::uint64_t id, Worker& worker);
   static bool serves(const Worker& worker, const Id128& id, const Sweep& sweep, Clock::time_point now);
   bool grant_pending(std::uint64_t id, Worker& worker, std::vector<Grant>& grants, Clock::time_point now);
   bool grant_suspects(std::uint64_t id, Worker& worker, std::vector<Grant>& grants, Clock::time_point now);
@@ -253,7 +259,6 @@ class Ledger {
   std::map<std::uint64_t, Lease>::iterator lease_of(const Id128& sweep, std::uint64_t job, std::uint64_t hint);
   std::uint64_t lease_jobs(const Sweep& sweep) const;
   std::uint32_t window(const Worker& worker) const;
-  std::uint64_t slots() const;
 
   LedgerOptions options_;
   Clock::time_point now_;  ///< of the latest call that told it
@@ -261,9 +266,15 @@ class Ledger {
   std::uint64_t next_lease_;
   Sweeps sweeps_;
   std::vector<Id128> order_;  ///< of submission
-  std::map<std::uint64_t, Worker> workers_;
+  Workers workers_;
   std::map<std::uint64_t, Lease> leases_;
   std::set<std::uint64_t> draining_;
+  // So that a step in which nothing has happened costs the same with a thousand workers as with one:
+  std::uint64_t slots_ = 0;             ///< leases that all workers together may hold
+  std::set<std::uint64_t> with_room_;   ///< workers that may take one lease more
+  bool may_grant_ = true;               ///< something has happened since the last grants
+  std::set<Clock::time_point> pauses_;  ///< the ends of all not_before that are to come
+  Clock::time_point expiry_due_;        ///< nobody can fall silent before
 };
 
 }  // namespace lamprey::coordinator

@@ -2,7 +2,9 @@
 #include "coordinator/ledger.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -22,27 +24,34 @@ std::uint32_t Ledger::window(const Worker& worker) const {
   return std::min(worker.status.window, options_.maximum_window);
 }
 
-std::uint64_t Ledger::slots() const {
-  std::uint64_t slots = 0;
-  for (const auto& [id, worker] : workers_) {
-    if (!worker.refused) slots += window(worker);
-  }
-  return std::max<std::uint64_t>(slots, 1);
-}
-
 /// About lease_work of computation; towards the end less, so that all workers finish together.
 std::uint64_t Ledger::lease_jobs(const Sweep& sweep) const {
   if (!sweep.seconds_per_job) return 1;
   const double work = std::chrono::duration<double>(options_.lease_work).count();
   const double jobs =
       std::clamp(work / std::max(*sweep.seconds_per_job, 1e-9), 1.0, static_cast<double>(options_.maximum_lease_jobs));
-  const std::uint64_t fair_share = sweep.pending.size() / (2 * slots()) + 1;
+  const std::uint64_t fair_share = sweep.pending.size() / (2 * std::max<std::uint64_t>(slots_, 1)) + 1;
   return std::min(static_cast<std::uint64_t>(std::llround(jobs)), fair_share);
 }
 
 bool Ledger::may_take(const Worker& worker) const {
   return !worker.refused && !worker.exclusive && !worker.draining &&
          worker.status.state == messaging::WorkerState::ready;
+}
+
+bool Ledger::has_room(const Worker& worker) const {
+  return may_take(worker) && worker.leases.size() < window(worker);
+}
+
+/// To be called whenever one of these may have changed: what it holds, may hold, or whether it may hold anything.
+void Ledger::note_capacity(std::uint64_t id, Worker& worker) {
+  const std::uint32_t slots = worker.refused ? 0 : window(worker);
+  slots_ = slots_ - std::exchange(worker.slots, slots) + slots;
+  if (!has_room(worker)) {
+    with_room_.erase(id);
+  } else if (with_room_.insert(id).second) {
+    may_grant_ = true;
+  }
 }
 
 bool Ledger::serves(const Worker& worker, const Id128& id, const Sweep& sweep, Clock::time_point now) {
@@ -72,10 +81,14 @@ JobRanges Ledger::allowed(const Sweep& sweep, std::uint64_t worker) {
   return jobs;
 }
 
-/// Highest priority first; among equal ones whoever holds the fewest leases, which all last about as long; then in
-/// order of submission.
+/// Of those that have jobs to give. Highest priority first; among equal ones whoever holds the fewest leases, which all
+/// last about as long; then in order of submission.
 std::vector<Id128> Ledger::grant_order() const {
-  std::vector<Id128> order = order_;
+  std::vector<Id128> order;
+  std::ranges::copy_if(order_, std::back_inserter(order), [&](const Id128& id) {
+    const Sweep& sweep = sweeps_.at(id);
+    return !sweep.paused && (has_pending(sweep) || !sweep.suspects.empty());
+  });
   std::ranges::stable_sort(order, {}, [&](const Id128& id) {
     const Sweep& sweep = sweeps_.at(id);
     return std::pair(-std::int64_t{sweep.policy.priority}, sweep.leases);
@@ -83,24 +96,37 @@ std::vector<Id128> Ledger::grant_order() const {
   return order;
 }
 
+/// A look that has granted all it could finds nothing more until something happens: a worker gets room or other labels,
+/// jobs become pending, a sweep may have more of them leased, or a pause is over.
+bool Ledger::anything_to_grant(Clock::time_point now) {
+  if (now < grants_from_) return false;
+  for (; !pauses_.empty() && *pauses_.begin() <= now; pauses_.erase(pauses_.begin())) may_grant_ = true;
+  return std::exchange(may_grant_, false) && !with_room_.empty() && !grant_order().empty();
+}
+
 std::vector<Ledger::Grant> Ledger::grant(Clock::time_point now) {
   now_ = now;
   std::vector<Grant> grants;
-  if (now < grants_from_) return grants;
+  if (!anything_to_grant(now)) return grants;
+  const auto each_with_room = [&](const auto& work) {
+    for (auto next = with_room_.begin(); next != with_room_.end();) {
+      const std::uint64_t id = *next++;  // it may have no room afterwards
+      work(id, workers_.at(id));
+    }
+  };
   // One lease to each worker in turn, until every window is full or nothing is pending.
   bool more = true;
   for (std::size_t round = 1; more; ++round) {
     more = false;
-    for (auto& [id, worker] : workers_) {
-      if (!may_take(worker) || worker.leases.size() >= window(worker)) continue;
+    each_with_room([&](std::uint64_t id, Worker& worker) {
       more = worker.leases.size() >= round || grant_pending(id, worker, grants, now) || more;
-    }
+    });
   }
   // Parts of lost leases wait until nothing is pending in any sweep: a job that kills workers must not stop the others.
-  for (auto& [id, worker] : workers_) {
-    while (may_take(worker) && worker.leases.size() < window(worker) && grant_suspects(id, worker, grants, now)) {
+  each_with_room([&](std::uint64_t id, Worker& worker) {
+    while (has_room(worker) && grant_suspects(id, worker, grants, now)) {
     }
-  }
+  });
   return grants;
 }
 
@@ -163,6 +189,7 @@ void Ledger::give(std::uint64_t id, Worker& worker, const Id128& sweep_id, JobRa
   const std::uint64_t number = next_lease_++;
   grants.push_back({id, grant_message(number, lease)});
   worker.leases.insert(number);
+  note_capacity(id, worker);
   leases_.emplace(number, std::move(lease));
 }
 

@@ -11,6 +11,7 @@ void Ledger::add_sweep(const Id128& id, JobRanges open_jobs, SweepPolicy policy)
   sweep.policy = std::move(policy);
   sweep.pending = std::move(open_jobs);
   sweep.since = now_;
+  may_grant_ = true;
   if (sweeps_.emplace(id, std::move(sweep)).second) order_.push_back(id);
 }
 
@@ -28,10 +29,14 @@ void Ledger::add_jobs(const Id128& id, const JobRanges& jobs) {
   if (sweep == sweeps_.end()) return;
   if (!has_pending(sweep->second)) sweep->second.since = now_;
   put_back(sweep->second, jobs);
+  may_grant_ = true;
 }
 
 void Ledger::set_policy(const Id128& id, SweepPolicy policy) {
-  if (const auto sweep = sweeps_.find(id); sweep != sweeps_.end()) sweep->second.policy = std::move(policy);
+  const auto sweep = sweeps_.find(id);
+  if (sweep == sweeps_.end()) return;
+  sweep->second.policy = std::move(policy);
+  may_grant_ = true;
 }
 
 /// Pending again: those with a checkpoint apart from the others.
@@ -92,6 +97,7 @@ void Ledger::resume(const Id128& id) {
   const auto sweep = sweeps_.find(id);
   if (sweep == sweeps_.end() || !std::exchange(sweep->second.paused, false)) return;
   sweep->second.since = now_;
+  may_grant_ = true;
 }
 
 void Ledger::note_checkpoint(const Id128& id, std::uint64_t job) {
@@ -116,7 +122,9 @@ void Ledger::restore_attempts(const Id128& id, std::uint64_t job, const std::vec
   attempts.count = static_cast<std::uint32_t>(attempts.workers.size());
   // What had been suspected stays so: only its next worker, holding nothing else, can tell.
   sweep.losses[job] = losses_before_exclusive;
-  if (sweep.pending.take(job) || sweep.resumable.take(job)) sweep.suspects.emplace_back(job, 1);
+  if (!sweep.pending.take(job) && !sweep.resumable.take(job)) return;
+  sweep.suspects.emplace_back(job, 1);
+  may_grant_ = true;
 }
 
 std::uint32_t Ledger::maximum_attempts(const Sweep& sweep) const {
