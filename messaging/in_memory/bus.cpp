@@ -89,13 +89,59 @@ struct HeldSample {
   Entry entry;
 };
 
+/// By their partitions' receivers: only ends of equal partitions meet, and a directed topic has as many as there are
+/// programs.
+template <class End>
+using Ends = std::map<std::uint64_t, std::vector<std::shared_ptr<End>>>;
+
 struct TopicState {
   Kind kind;
   std::uint64_t next_ordinal = 0;
-  std::vector<std::shared_ptr<WriterEnd>> writers;
-  std::vector<std::shared_ptr<ReaderEnd>> readers;
+  Ends<WriterEnd> writers;
+  Ends<ReaderEnd> readers;
   std::map<std::uint64_t, HeldSample> held;  // by ordinal
 };
+
+template <class End>
+void add_end(Ends<End>& ends, const std::shared_ptr<End>& end) {
+  ends[end->partition.receiver].push_back(end);
+}
+
+template <class End>
+void remove_end(Ends<End>& ends, const std::shared_ptr<End>& end) {
+  const auto group = ends.find(end->partition.receiver);
+  if (group == ends.end()) return;
+  std::erase(group->second, end);
+  if (group->second.empty()) ends.erase(group);
+}
+
+/// Those that may meet an end of that partition.
+template <class End>
+const std::vector<std::shared_ptr<End>>& group_of(const Ends<End>& ends, const Partition& partition) {
+  static const std::vector<std::shared_ptr<End>> none;
+  const auto group = ends.find(partition.receiver);
+  return group == ends.end() ? none : group->second;
+}
+
+template <class End, class Each>
+void for_each_end(const Ends<End>& ends, Each each) {
+  for (const auto& [receiver, group] : ends) {
+    for (const auto& end : group) each(end);
+  }
+}
+
+/// Erases those of members that are dead, after `each` has seen them.
+template <class End, class Each>
+void erase_dead(Ends<End>& ends, Each each) {
+  for (auto group = ends.begin(); group != ends.end();) {
+    std::erase_if(group->second, [&](const auto& end) {
+      if (end->member->alive) return false;
+      each(*end);
+      return true;
+    });
+    group = group->second.empty() ? ends.erase(group) : std::next(group);
+  }
+}
 
 using AnySample = decltype(Envelope::sample);
 
@@ -139,7 +185,7 @@ class State {
   std::shared_ptr<WriterEnd> add_writer(std::size_t topic, std::shared_ptr<Member> member, Partition partition) {
     const std::lock_guard lock(mutex_);
     auto end = std::make_shared<WriterEnd>(WriterEnd{topic, std::move(member), partition, true, {}});
-    if (end->member->alive) topics_[topic].writers.push_back(end);
+    if (end->member->alive) add_end(topics_[topic].writers, end);
     return end;
   }
 
@@ -148,7 +194,7 @@ class State {
     const std::lock_guard lock(mutex_);
     auto end = std::make_shared<ReaderEnd>(ReaderEnd{topic, std::move(member), partition, std::move(signal), {}});
     if (end->member->alive) {
-      topics_[topic].readers.push_back(end);
+      add_end(topics_[topic].readers, end);
       recall(topics_[topic], *end, [](const WriterEnd&) { return true; });
     }
     return end;
@@ -157,12 +203,12 @@ class State {
   void remove(const std::shared_ptr<WriterEnd>& end) {
     const std::lock_guard lock(mutex_);
     end->open = false;
-    std::erase(topics_[end->topic].writers, end);
+    remove_end(topics_[end->topic].writers, end);
   }
 
   void remove(const std::shared_ptr<ReaderEnd>& end) {
     const std::lock_guard lock(mutex_);
-    std::erase(topics_[end->topic].readers, end);
+    remove_end(topics_[end->topic].readers, end);
   }
 
   /// `sample` is what `copy` holds.
@@ -234,11 +280,11 @@ class State {
       back.insert(member.get());
     }
     for (auto& topic : topics_) {
-      for (const auto& reader : topic.readers) {
+      for_each_end(topic.readers, [&](const auto& reader) {
         const bool reader_is_back = back.contains(reader->member.get());
         recall(topic, *reader,
                [&](const auto& writer) { return reader_is_back != back.contains(writer.member.get()); });
-      }
+      });
     }
   }
 
@@ -247,14 +293,9 @@ class State {
     for (const auto& member : members_) {
       if (member->name == name) member->alive = false;
     }
-    const auto is_dead = [](const auto& end) { return !end->member->alive; };
     for (auto& topic : topics_) {
-      for (const auto& writer : topic.writers) writer->open = writer->open && writer->member->alive;
-      for (const auto& reader : topic.readers) {
-        if (is_dead(reader)) reader->untaken.clear();
-      }
-      std::erase_if(topic.writers, is_dead);
-      std::erase_if(topic.readers, is_dead);
+      erase_dead(topic.writers, [](WriterEnd& writer) { writer.open = false; });
+      erase_dead(topic.readers, [](ReaderEnd& reader) { reader.untaken.clear(); });
     }
     std::erase_if(members_, [](const auto& member) { return !member->alive; });
   }
@@ -273,7 +314,7 @@ class State {
 
   static bool is_full(const TopicState& topic, const WriterEnd& writer) {
     if (!topic.kind.profile.keep_all) return false;
-    return std::any_of(topic.readers.begin(), topic.readers.end(), [&](const auto& reader) {
+    return std::ranges::any_of(group_of(topic.readers, writer.partition), [&](const auto& reader) {
       return meet(writer, *reader) && reader->untaken.size() >= topic.kind.profile.depth;
     });
   }
@@ -290,7 +331,7 @@ class State {
   static void deliver(TopicState& topic, WriterEnd& writer, const Entry& entry, int times) {
     const QosProfile& profile = topic.kind.profile;
     if (profile.transient_local && writer.open) keep_last(topic.kind, writer.remembered, entry, profile.depth);
-    for (const auto& reader : topic.readers) {
+    for (const auto& reader : group_of(topic.readers, writer.partition)) {
       for (int i = 0; i < times && meet(writer, *reader); ++i) receive(topic.kind, *reader, entry);
     }
   }
@@ -299,7 +340,7 @@ class State {
   template <class Select>
   static void recall(TopicState& topic, ReaderEnd& reader, Select select) {
     Entries remembered;
-    for (const auto& writer : topic.writers) {
+    for (const auto& writer : group_of(topic.writers, reader.partition)) {
       if (!meet(*writer, reader) || !select(*writer)) continue;
       remembered.insert(remembered.end(), writer->remembered.begin(), writer->remembered.end());
     }
