@@ -49,8 +49,8 @@ OBSTACLE = obstacle()
 
 class Sized(Programs):
     def measure(self, *options):
-        return subprocess.run([ROOT / "benchmarks" / "scale", "--runs", "1", "--workers", "4", "--fit", "1", "2", "--idle",
-                               "4", "--simulated", "30", "--jobs", "400", "--cycles", "3", "--build", BIN.parent,
+        return subprocess.run([ROOT / "benchmarks" / "scale", "--runs", "1", "--workers", "4", "--fit", "1", "2",
+                               "--settling", "1", "--idle", "2", "--simulated", "30", "--jobs", "400", "--cycles", "3", "--build", BIN.parent,
                                *options], env=self.environment, capture_output=True, text=True, timeout=600)
 
 
@@ -105,5 +105,5 @@ class Simulated(Sized):
 
     def test_bad_options_are_refused(self):
         for options in (["--runs", "0"], ["--workers", "0"], ["--fit", "2"], ["--fit", "2", "4"], ["--dds", "rti"],
-                        ["--workers", "111"], ["--idle", "0"], ["--simulated", "0"], ["--jobs", "3"]):
+                        ["--workers", "111"], ["--idle", "0"], ["--settling", "0"], ["--simulated", "0"], ["--jobs", "3"]):
             self.assertEqual(self.measure(*options).returncode, 2, options)
