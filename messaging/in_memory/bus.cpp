@@ -374,8 +374,9 @@ namespace {
 template <class Sample>
 class BusWriter final : public Writer<Sample> {
  public:
-  BusWriter(std::shared_ptr<detail::State> state, std::shared_ptr<detail::WriterEnd> end, TopicCounters& counters)
-      : counters_(counters), state_(std::move(state)), end_(std::move(end)) {}
+  BusWriter(std::shared_ptr<detail::State> state, std::shared_ptr<detail::WriterEnd> end,
+            std::shared_ptr<TopicCounters> counters)
+      : counters_(std::move(counters)), state_(std::move(state)), end_(std::move(end)) {}
   ~BusWriter() override { state_->remove(end_); }
   BusWriter(const BusWriter&) = delete;
   BusWriter& operator=(const BusWriter&) = delete;
@@ -386,12 +387,12 @@ class BusWriter final : public Writer<Sample> {
     }
     const auto copy = std::make_shared<const Sample>(sample);
     auto result = state_->write(end_, copy, copy.get());
-    counters_.count_write(static_cast<bool>(result));
+    counters_->count_write(static_cast<bool>(result));
     return result;
   }
 
  private:
-  TopicCounters& counters_;
+  std::shared_ptr<TopicCounters> counters_;
   std::shared_ptr<detail::State> state_;
   std::shared_ptr<detail::WriterEnd> end_;
 };
@@ -399,8 +400,9 @@ class BusWriter final : public Writer<Sample> {
 template <class Sample>
 class BusReader final : public Reader<Sample> {
  public:
-  BusReader(std::shared_ptr<detail::State> state, std::shared_ptr<detail::ReaderEnd> end, TopicCounters& counters)
-      : counters_(counters), state_(std::move(state)), end_(std::move(end)) {}
+  BusReader(std::shared_ptr<detail::State> state, std::shared_ptr<detail::ReaderEnd> end,
+            std::shared_ptr<TopicCounters> counters)
+      : counters_(std::move(counters)), state_(std::move(state)), end_(std::move(end)) {}
   ~BusReader() override { state_->remove(end_); }
   BusReader(const BusReader&) = delete;
   BusReader& operator=(const BusReader&) = delete;
@@ -410,12 +412,12 @@ class BusReader final : public Reader<Sample> {
     for (const auto& entry : state_->take(*end_, most)) {
       samples.push_back(*static_cast<const Sample*>(entry.sample.get()));
     }
-    counters_.count_read(samples.size());
+    counters_->count_read(samples.size());
     return samples;
   }
 
  private:
-  TopicCounters& counters_;
+  std::shared_ptr<TopicCounters> counters_;
   std::shared_ptr<detail::State> state_;
   std::shared_ptr<detail::ReaderEnd> end_;
 };
@@ -432,21 +434,27 @@ class BusParticipant final : public ParticipantOf<BusParticipant> {
   template <class Sample>
   std::unique_ptr<Writer<Sample>> open_writer(Partition partition) {
     return std::make_unique<BusWriter<Sample>>(state_, state_->add_writer(detail::topic<Sample>, member_, partition),
-                                               counters_.of(Topic<Sample>::name));
+                                               counters_of<Sample>());
   }
   template <class Sample>
   std::unique_ptr<Reader<Sample>> open_reader(Partition partition, std::shared_ptr<Signal> signal) {
     return std::make_unique<BusReader<Sample>>(
         state_, state_->add_reader(detail::topic<Sample>, member_, partition, std::move(signal)),
-        counters_.of(Topic<Sample>::name));
+        counters_of<Sample>());
   }
   std::string vendor() const override { return "in_memory"; }
   std::uint64_t malformed_samples() const override { return 0; }
-  Traffic traffic() const override { return counters_.so_far(member_->guid, 0); }
+  Traffic traffic() const override { return counters_->so_far(member_->guid, 0); }
   std::vector<discovery::Participant> others() override { return state_->others(*member_); }
 
  private:
-  TrafficCounters counters_;
+  /// Writers and readers may outlive the participant.
+  template <class Sample>
+  std::shared_ptr<TopicCounters> counters_of() {
+    return {counters_, &counters_->of(Topic<Sample>::name)};
+  }
+
+  std::shared_ptr<TrafficCounters> counters_ = std::make_shared<TrafficCounters>();
   std::shared_ptr<detail::State> state_;
   std::shared_ptr<detail::Member> member_;
 };
