@@ -6,6 +6,7 @@
 #include "messaging/ros2/node.hpp"
 
 #include <cstdint>
+#include <exception>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,17 @@ inline constexpr const char* join_ros2_function_name = "lamprey_messaging_join_r
 inline constexpr const char* watch_function_name = "lamprey_messaging_watch";
 inline constexpr const char* serve_discovery_function_name = "lamprey_messaging_serve_discovery";
 inline constexpr const char* vendor_library_prefix = "liblamprey_messaging_";
+
+/// For what a vendor's library exports: the pointer that `make` returned the owner of, or nullptr and why.
+template <class Make>
+auto made(std::string& error, Make make) noexcept -> decltype(make().release()) {
+  try {
+    return make().release();
+  } catch (const std::exception& exception) {
+    error = exception.what();
+    return nullptr;
+  }
+}
 
 /// The vendors whose libraries are next to the program or in ../lib, sorted.
 std::vector<std::string> available_vendors();
