@@ -2,9 +2,9 @@
 
 #include "client/coordinator_connection.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <thread>
+#include <vector>
 
 namespace lamprey::client::network {
 
@@ -21,11 +21,8 @@ std::unique_ptr<messaging::discovery::Watch> watch(const messaging::JoinOptions&
 /// Looks are dear in a large domain; programs tell of their traffic each second.
 constexpr std::chrono::milliseconds look_interval{500};
 
-void note_first(const std::vector<messaging::Traffic>& seen, std::vector<messaging::Traffic>& first) {
-  for (const auto& traffic : seen) {
-    const bool known = std::ranges::find(first, traffic.participant, &messaging::Traffic::participant) != first.end();
-    if (!known) first.push_back(traffic);
-  }
+void note_first(const std::vector<messaging::Traffic>& seen, FirstTraffic& first) {
+  for (const auto& traffic : seen) first.try_emplace(traffic.participant, traffic);
 }
 
 }  // namespace

@@ -1,16 +1,15 @@
 #pragma once
 
 #include "client/command.hpp"
+#include "client/network/programs.hpp"
 #include "messaging/discovery/domain_view.hpp"
-
-#include <vector>
 
 namespace lamprey::client::network {
 
 /// What is known of a domain after looking for a while.
 struct Sight {
   messaging::discovery::DomainView view;
-  std::vector<messaging::Traffic> first;  ///< of each participant in view.traffic, the first that was seen
+  FirstTraffic first;  ///< of each participant in view.traffic
 };
 
 /// For so many seconds: nobody tells when everybody has been found. Throws Failure (unreachable, with the vendor's

@@ -67,7 +67,7 @@ void add(ProgramTraffic& to, const messaging::Traffic& first, const messaging::T
 
 }  // namespace
 
-std::vector<Program> programs_of(const discovery::DomainView& view, const std::vector<messaging::Traffic>& first) {
+std::vector<Program> programs_of(const discovery::DomainView& view, const FirstTraffic& first) {
   std::vector<Program> programs;
   std::map<discovery::Guid, std::size_t> program_of;
   for (const auto& participant : view.participants) {
@@ -89,10 +89,10 @@ std::vector<Program> programs_of(const discovery::DomainView& view, const std::v
   for (const auto& traffic : view.traffic) {
     const auto owner = program_of.find(traffic.participant);
     if (owner == program_of.end()) continue;
-    const auto earlier = std::ranges::find(first, traffic.participant, &messaging::Traffic::participant);
+    const auto earlier = first.find(traffic.participant);
     auto& program = programs[owner->second];
     if (!program.traffic) program.traffic.emplace();
-    add(*program.traffic, earlier != first.end() ? *earlier : traffic, traffic);
+    add(*program.traffic, earlier != first.end() ? earlier->second : traffic, traffic);
   }
   std::ranges::sort(programs, {}, order_of);
   return programs;

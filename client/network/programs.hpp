@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,10 +36,12 @@ struct Program {
   bool ours() const { return !introduction.role.empty(); }
 };
 
+/// The first counts that each participant was seen to tell.
+using FirstTraffic = std::map<messaging::discovery::Guid, messaging::Traffic>;
+
 /// Coordinators first, then by role, host and process; those that are not ours last, by GUID.
-/// `first`: earlier counts, to tell rates by.
-std::vector<Program> programs_of(const messaging::discovery::DomainView& view,
-                                 const std::vector<messaging::Traffic>& first = {});
+/// `first`: to tell rates by.
+std::vector<Program> programs_of(const messaging::discovery::DomainView& view, const FirstTraffic& first = {});
 
 /// "worker alpha/4711", or "participant 01100f5a.8d1c47c4.c17eb1a2 (rviz2)" of one that is not ours.
 std::string to_text(const Program& program);
