@@ -3,8 +3,8 @@
 #include "messaging/program/build_info.hpp"
 #include "messaging/program/exit_codes.hpp"
 #include "messaging/program/join_options.hpp"
-#include "messaging/program/logging.hpp"
 #include "messaging/program/network_report.hpp"
+#include "messaging/program/run.hpp"
 #include "messaging/program/stall_guard.hpp"
 #include "messaging/program/stop.hpp"
 #include "messaging/robot/robot_name.hpp"
@@ -123,19 +123,5 @@ int main(int count, char** arguments) {
   options.join.introduction = program::introduction("worker");
   program::add_join_options(app, options.join);
   program::add_logging_options(app, options.logging);
-  try {
-    app.parse(count, arguments);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? program::exit_ok : program::exit_usage;
-  }
-  try {
-    program::start_logging(options.logging, "lamprey-worker");
-    return serve(options);
-  } catch (const messaging::JoinError& error) {
-    spdlog::error("{}", error.what());
-    return program::exit_unreachable;
-  } catch (const std::exception& error) {
-    spdlog::error("{}", error.what());
-    return program::exit_failure;
-  }
+  return program::run(app, count, arguments, options.logging, [&] { return serve(options); });
 }

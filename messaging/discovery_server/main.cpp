@@ -3,12 +3,11 @@
 #include "messaging/program/build_info.hpp"
 #include "messaging/program/exit_codes.hpp"
 #include "messaging/program/join_options.hpp"
-#include "messaging/program/logging.hpp"
+#include "messaging/program/run.hpp"
 #include "messaging/program/stop.hpp"
 
 #include <CLI/CLI.hpp>
 #include <chrono>
-#include <exception>
 #include <memory>
 #include <optional>
 #include <spdlog/spdlog.h>
@@ -66,28 +65,16 @@ int main(int count, char** arguments) {
     app.remove_option(app.get_option(name));
   }
   program::add_logging_options(app, options.logging);
-  try {
-    app.parse(count, arguments);
+  return program::run(app, count, arguments, options.logging, [&] {
     if (options.join.loopback_only) {
       throw CLI::ValidationError(options.join.configuration_file +
                                  ": loopback_only: programs of one machine find each other without a discovery server");
     }
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? program::exit_ok : program::exit_usage;
-  }
-  // A site's settings for those who ask it have no meaning here.
-  options.join.vendor = "fastdds";
-  options.join.isolation.clear();
-  options.join.peers.clear();
-  options.join.discovery_servers.clear();
-  try {
-    program::start_logging(options.logging, "lamprey-discovery-server");
+    // A site's settings for those who ask it have no meaning here.
+    options.join.vendor = "fastdds";
+    options.join.isolation.clear();
+    options.join.peers.clear();
+    options.join.discovery_servers.clear();
     return serve(options);
-  } catch (const messaging::JoinError& error) {
-    spdlog::error("{}", error.what());
-    return program::exit_unreachable;
-  } catch (const std::exception& error) {
-    spdlog::error("{}", error.what());
-    return program::exit_failure;
-  }
+  });
 }
