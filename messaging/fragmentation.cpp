@@ -105,7 +105,6 @@ std::optional<JobResult> Assembler::add(std::uint64_t worker, const Id128& sweep
   partial.bytes += bytes;
   held_bytes_ += bytes;
   if (partial.parts.size() == count) return take(position);
-  // One result may be longer than the bound; it must still be able to end.
   while (held_bytes_ > most_bytes_ && partial_.size() > 1) drop_oldest();
   return std::nullopt;
 }

@@ -26,7 +26,8 @@ std::vector<JobResult> fragments(const JobResult& whole);
 /// Puts fragments together, whatever their order and however often each comes. Not thread-safe.
 class Assembler {
  public:
-  /// `most_bytes`: of incomplete results held at once; beyond it the oldest is dropped (its worker sends it again).
+  /// `most_bytes`: of incomplete results held at once; beyond it the oldest is dropped (its worker sends it again). A
+  /// single one may be longer than that: it must still be able to end.
   explicit Assembler(std::size_t most_bytes = std::size_t{256} << 20) : most_bytes_(most_bytes) {}
 
   /// The whole result once its last missing fragment has come. Fragments that contradict each other (another digest,
@@ -34,6 +35,8 @@ class Assembler {
   std::optional<JobResult> add(std::uint64_t worker, const Id128& sweep, JobResult fragment);
 
   std::size_t held_bytes() const { return held_bytes_; }
+  /// How many incomplete results are held.
+  std::size_t incomplete() const { return partial_.size(); }
 
  private:
   struct Key {

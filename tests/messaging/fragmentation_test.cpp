@@ -184,5 +184,15 @@ TEST(Fragmentation, BoundDropsTheOldestUnfinishedResult) {
   EXPECT_EQ(assembler.add(worker, sweep, first_parts[0]), first);
 }
 
+TEST(Fragmentation, OneResultMayBeLongerThanTheBound) {
+  Assembler assembler(maximum_sample_bytes / 2);
+  const JobResult whole = whole_result(long_trace);
+  const auto parts = fragments(whole);
+  for (std::size_t i = 1; i < parts.size(); ++i) EXPECT_FALSE(assembler.add(worker, sweep, parts[i]));
+  EXPECT_EQ(assembler.incomplete(), 1u);
+  EXPECT_EQ(assembler.add(worker, sweep, parts[0]), whole);
+  EXPECT_EQ(assembler.incomplete(), 0u);
+}
+
 }  // namespace
 }  // namespace lamprey::messaging
