@@ -16,7 +16,8 @@ constexpr int maximum_repeats = 3;
 /// A heartbeat may have been under way when the lease was sent: one that comes sooner after it says nothing.
 constexpr auto sending_time = std::chrono::milliseconds{200};
 
-/// A worker that does not take a sweep's lease however often it is sent is offered no other one of it for so long.
+/// A worker that has received a sweep's lease and does not take it, however often it is sent, is offered no other one
+/// of it for so long.
 constexpr auto untaken_pause = std::chrono::seconds{30};
 
 /// A lost lease is cut into so many parts; the culprit among a thousand jobs is alone after four deaths.
@@ -112,7 +113,7 @@ Ledger::Heartbeat Ledger::heartbeat(const messaging::WorkerStatus& status, const
       adopt(worker, held, reaction, now);
     }
   }
-  repeat_unlisted(worker, listed, reaction, now);
+  repeat_unlisted(worker, database, listed, reaction, now);
   note_capacity(id, worker);
   return reaction;
 }
@@ -182,18 +183,22 @@ bool Ledger::take_suspect(Sweep& sweep, std::uint64_t job) {
   return false;
 }
 
-void Ledger::repeat_unlisted(Worker& worker, const std::set<std::uint64_t>& listed, Heartbeat& reaction,
-                             Clock::time_point now) {
+void Ledger::repeat_unlisted(Worker& worker, const Id128& database, const std::set<std::uint64_t>& listed,
+                             Heartbeat& reaction, Clock::time_point now) {
   const auto own = worker.leases;  // release() changes the original
   for (const auto id : own) {
     if (listed.contains(id)) continue;
+    // Where many start at once, leases may take seconds to arrive.
+    const bool received = worker.status.origin.database == database && worker.status.last_lease_sequence >= id;
     Lease& lease = leases_.at(id);
     if (now - lease.sent < sending_time) continue;
     if (++lease.unlisted_heartbeats < heartbeats_before_repeat) continue;
     lease.unlisted_heartbeats = 0;
     if (++lease.repeats > maximum_repeats) {
-      worker.not_before[lease.sweep] = now + untaken_pause;
-      pauses_.insert(now + untaken_pause);
+      if (received) {
+        worker.not_before[lease.sweep] = now + untaken_pause;
+        pauses_.insert(now + untaken_pause);
+      }
       release(id);
     } else {
       lease.sent = now;

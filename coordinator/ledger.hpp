@@ -183,7 +183,6 @@ class Ledger {
     std::uint64_t worker = 0;
     Id128 sweep;
     JobRanges remaining;
-    std::uint64_t sequence = 0;
     bool exclusive =
         false;  ///< a single suspect, given to a worker that holds nothing else: if it dies, it is the job's
     Clock::time_point granted;
@@ -195,7 +194,6 @@ class Ledger {
   struct Worker {
     messaging::WorkerStatus status;
     Clock::time_point heard;
-    std::uint64_t next_sequence = 1;
     std::set<std::uint64_t> leases;
     std::map<Id128, Clock::time_point> not_before;  ///< sweeps whose leases it didn't take (another version, say)
     std::uint32_t refused_results = 0;
@@ -235,8 +233,8 @@ class Ledger {
   std::vector<Id128> grant_order() const;
   bool anything_to_grant(Clock::time_point now);
   messaging::Lease grant_message(std::uint64_t id, const Lease& lease) const;
-  void repeat_unlisted(Worker& worker, const std::set<std::uint64_t>& listed, Heartbeat& reaction,
-                       Clock::time_point now);
+  void repeat_unlisted(Worker& worker, const Id128& database, const std::set<std::uint64_t>& listed,
+                       Heartbeat& reaction, Clock::time_point now);
   void adopt(Worker& worker, const messaging::HeldLease& held, Heartbeat& reaction, Clock::time_point now);
   void release(std::uint64_t id);
   void forget(std::map<std::uint64_t, Lease>::iterator lease);

@@ -178,7 +178,6 @@ void Ledger::give(std::uint64_t id, Worker& worker, const Id128& sweep_id, JobRa
   lease.worker = id;
   lease.sweep = sweep_id;
   lease.remaining = std::move(jobs);
-  lease.sequence = worker.next_sequence++;
   lease.exclusive = exclusive;
   lease.granted = now;
   lease.renewed = now;
@@ -197,7 +196,7 @@ messaging::Lease Ledger::grant_message(std::uint64_t id, const Lease& lease) con
   messaging::Lease message;
   message.kind = messaging::LeaseKind::grant;
   message.lease = id;
-  message.sequence = lease.sequence;
+  message.sequence = id;
   message.sweep = lease.sweep;
   message.ranges = to_messages(lease.remaining);
   message.time_limit = sweeps_.at(lease.sweep).policy.time_limit;

@@ -109,7 +109,7 @@ enum class LeaseKind : std::uint8_t {
 struct Lease {
   Origin origin;
   LeaseKind kind = LeaseKind::grant;
-  std::uint64_t sequence = 0;  ///< counts up from 1 per worker and epoch; a repeat carries its first number
+  std::uint64_t sequence = 0;  ///< of a grant: its lease's number, which grows with each; else 0
   std::uint64_t lease = 0;     ///< unique within the database
   Id128 sweep;
   std::vector<JobRange> ranges;

@@ -261,10 +261,13 @@ TEST_F(LedgerTest, AWorkerWhoseResultsAreRefusedAgainAndAgainGetsNoMore) {
 TEST_F(LedgerTest, AWorkerThatDoesNotTakeASweepsLeasesIsLeftAloneWithItForAWhile) {
   ledger.add_sweep(sweep, JobRanges(0, 10), {});
   beat(1, 1, 1);
-  ASSERT_EQ(ledger.grant(now).size(), 1U);
+  const auto grants = ledger.grant(now);
+  ASSERT_EQ(grants.size(), 1U);
   for (std::uint64_t heartbeat = 2; heartbeat < 12; ++heartbeat) {
     now += std::chrono::milliseconds{500};
-    beat(1, heartbeat, 1);
+    auto refusing = status(1, heartbeat, 1);
+    refusing.last_lease_sequence = grants[0].lease.sequence;
+    ledger.heartbeat(refusing, database, now);
   }
   EXPECT_EQ(ledger.leased(sweep), 0U);
   EXPECT_TRUE(ledger.grant(now).empty());
@@ -273,6 +276,24 @@ TEST_F(LedgerTest, AWorkerThatDoesNotTakeASweepsLeasesIsLeftAloneWithItForAWhile
   now += std::chrono::seconds{31};
   beat(1, 12, 1);
   EXPECT_EQ(ledger.grant(now).size(), 1U);
+}
+
+TEST_F(LedgerTest, AWorkerThatHasNotReceivedItsLeaseIsGivenAnother) {
+  ledger.add_sweep(sweep, JobRanges(0, 10), {});
+  beat(1, 1, 1);
+  ASSERT_EQ(ledger.grant(now).size(), 1U);
+  for (std::uint64_t heartbeat = 2; heartbeat < 12; ++heartbeat) {
+    now += std::chrono::milliseconds{500};
+    beat(1, heartbeat, 1);
+  }
+  EXPECT_EQ(ledger.leased(sweep), 0U) << "others may have its jobs";
+  const auto grants = ledger.grant(now);
+  ASSERT_EQ(grants.size(), 1U);
+  // Numbers grow, also for a worker that was thought dead meanwhile: what it has received is told from what it has not.
+  auto taking = status(1, 12, 1);
+  taking.last_lease_sequence = grants[0].lease.sequence;
+  taking.leases = {{database, 1, grants[0].lease.lease, sweep, {{0, 1}}}};
+  EXPECT_TRUE(ledger.heartbeat(taking, database, now).send.empty());
 }
 
 TEST_F(LedgerTest, OldHeartbeatsAreIgnored) {
