@@ -134,6 +134,11 @@ struct JoinOptions {
   std::vector<std::string> discovery_servers = {};
   /// This machine only: no multicast, no other interface. Peers, interfaces and discovery servers have no meaning then.
   bool loopback_only = false;
+  /// One of many programs alike, a worker, that have nothing to tell each other: it announces itself to everybody who
+  /// listens, and does not listen itself; who listens answers. So N of them cost discovery N instead of N² exchanges
+  /// (docs/scale.md). Two such programs don't meet. Where it must be found by its address (a coordinator that names its
+  /// host as a peer) it is. Of no effect with discovery servers, which tell each only of those that it needs.
+  bool one_of_many = false;
   std::string configuration_file = {};  ///< that some of this is from (docs/formats/configuration.md); empty: none
   /// What everybody in the domain may know of the program; the isolation and the wire's version are added.
   discovery::Introduction introduction{};

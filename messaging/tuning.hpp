@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 /// Numbers that both vendors are set to. What was measured to choose them: docs/decisions/0001-messaging.md.
 namespace lamprey::messaging {
@@ -20,6 +21,12 @@ inline constexpr std::chrono::seconds participant_lease{15};
 /// Programs of one domain on one host that find each other without multicast: participant indices 0 … 119. With one
 /// more, the ports (7400 + 250 × domain + 10 + 2 × index) would run into those of the next domain.
 inline constexpr std::uint32_t participants_per_host = 120;
+
+/// Where participants of a domain announce themselves by multicast (DDSI-RTPS 2.3, 9.6.2): the group and its port.
+inline constexpr std::string_view announcement_group = "239.255.0.1";
+constexpr std::uint16_t announcement_port(std::uint32_t domain) {
+  return static_cast<std::uint16_t>(7400 + 250 * domain);
+}
 
 /// Highest domain whose ports are below 65536 for all of these.
 inline constexpr std::uint32_t highest_domain = 230;

@@ -9,8 +9,21 @@
 namespace lamprey::messaging::cyclonedds {
 namespace {
 
+bool uses_multicast(const JoinOptions& options) {
+  return !options.loopback_only && options.peers.empty();
+}
+
+/// To announce itself, and not to listen (JoinOptions::one_of_many).
+bool only_announces(const JoinOptions& options) {
+  return options.one_of_many && uses_multicast(options);
+}
+
 std::string discovery_peers(const JoinOptions& options) {
   std::string xml;
+  if (only_announces(options)) {
+    xml += "<Peer address=\"" + std::string(announcement_group) + ":" +
+           std::to_string(announcement_port(options.domain)) + "\"/>";
+  }
   if (options.loopback_only) xml += "<Peer address=\"127.0.0.1\"/>";
   for (const auto& peer : options.peers) {
     // Also keeps anything that means something in XML out of the configuration.
@@ -26,6 +39,26 @@ std::string interfaces(const JoinOptions& options) {
   if (options.loopback_only) xml += "<NetworkInterface address=\"127.0.0.1\" multicast=\"false\"/>";
   for (const auto& address : options.interfaces) xml += "<NetworkInterface address=\"" + address + "\"/>";
   return xml.empty() ? xml : "<Interfaces>" + xml + "</Interfaces>";
+}
+
+/// A socket of a multicast port gets what any program of the host has asked for (Linux, IP_MULTICAST_ALL), so it is not
+/// enough to join no group: who only announces itself has its multicast sockets on two ports that RTPS leaves free.
+/// And `ssm`, without which no socket could send to a group, is the kind of multicast that nobody here receives.
+std::string multicast(const JoinOptions& options) {
+  if (!uses_multicast(options)) return "<AllowMulticast>false</AllowMulticast>";
+  return only_announces(options) ? "<AllowMulticast>ssm</AllowMulticast>" : "";
+}
+std::string ports(const JoinOptions& options) {
+  if (!only_announces(options)) return "";
+  return "<Ports><MulticastMetaOffset>2</MulticastMetaOffset><MulticastDataOffset>3</MulticastDataOffset></Ports>";
+}
+
+/// Where others find the program by its host's address: ports of its own, so that each program of a host has some; by
+/// default ten can. On loopback everybody announces himself to each of these ports, and who is not to listen has
+/// others.
+std::string participant_index(const JoinOptions& options) {
+  if (options.one_of_many && options.loopback_only) return "<ParticipantIndex>none</ParticipantIndex>";
+  return "<ParticipantIndex>auto</ParticipantIndex>";
 }
 
 }  // namespace
@@ -47,11 +80,9 @@ std::string configuration(const JoinOptions& options, std::optional<std::uint32_
     general += "<MaxMessageSize>" + std::to_string(maximum_message_bytes) + "B</MaxMessageSize>";
     general += "<FragmentSize>" + std::to_string(maximum_fragment_bytes) + "B</FragmentSize>";
   }
-  if (options.loopback_only || !options.peers.empty()) general += "<AllowMulticast>false</AllowMulticast>";
+  general += multicast(options);
 
-  std::string discovery = discovery_peers(options);
-  // Ports of its own for each program of a host, so that they can be found by address; by default ten can be.
-  discovery += "<ParticipantIndex>auto</ParticipantIndex>";
+  std::string discovery = discovery_peers(options) + ports(options) + participant_index(options);
   discovery += "<MaxAutoParticipantIndex>" + std::to_string(participants_per_host - 1) + "</MaxAutoParticipantIndex>";
   discovery += "<LeaseDuration>" + std::to_string(participant_lease.count()) + "s</LeaseDuration>";
   // By default 12 s, which who is met by a peer's address would wait.

@@ -2,6 +2,7 @@
 
 #include "messaging/discovery/server_address.hpp"
 #include "messaging/fastdds/transport.hpp"
+#include "messaging/fastdds/udp_port.hpp"
 #include "messaging/tuning.hpp"
 
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
@@ -88,10 +89,15 @@ void set_discovery(const JoinOptions& options, dds::DomainParticipantQos& qos) {
   if (!options.discovery_servers.empty()) ask_servers(options, builtin);
   for (const auto& peer : options.peers) builtin.initialPeersList.push_back(locator(resolve(peer)));
   if (options.loopback_only) builtin.initialPeersList.push_back(locator(loopback));
-  if (!options.loopback_only && options.peers.empty() && options.discovery_servers.empty()) return;
-  // A unicast list without a multicast one is what turns multicast off.
+  if (!options.loopback_only && options.peers.empty() && options.discovery_servers.empty()) {
+    if (!options.one_of_many) return;
+    builtin.initialPeersList.push_back(locator(std::string(announcement_group), announcement_port(options.domain)));
+  }
+  // A unicast list without a multicast one is what keeps it from listening to multicast.
   builtin.metatrafficMulticastLocatorList.clear();
-  builtin.metatrafficUnicastLocatorList = list_of(locator(options.loopback_only ? loopback : every_address));
+  builtin.metatrafficUnicastLocatorList =
+      list_of(options.loopback_only ? locator(loopback, options.one_of_many ? any_free_port() : std::uint16_t{0})
+                                    : locator(every_address));
   if (options.loopback_only) qos.wire_protocol().default_unicast_locator_list = list_of(locator(loopback));
 }
 

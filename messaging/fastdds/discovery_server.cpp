@@ -3,37 +3,15 @@
 #include "messaging/discovery/server_address.hpp"
 #include "messaging/fastdds/configuration.hpp"
 #include "messaging/fastdds/entity.hpp"
+#include "messaging/fastdds/udp_port.hpp"
 
-#include <arpa/inet.h>
-#include <cerrno>
-#include <cstring>
 #include <fastdds/rtps/attributes/ServerAttributes.h>
-#include <netinet/in.h>
-#include <stdexcept>
-#include <string>
-#include <sys/socket.h>
-#include <unistd.h>
 
 namespace lamprey::messaging::fastdds {
 namespace {
 
 namespace rtps = eprosima::fastrtps::rtps;
 using eprosima::fastrtps::Duration_t;
-
-/// Fast DDS would take another port than the one that clients know, and not say so.
-void require_free(std::uint16_t port) {
-  sockaddr_in place{};
-  place.sin_family = AF_INET;
-  place.sin_port = htons(port);
-  place.sin_addr.s_addr = htonl(INADDR_ANY);
-  const int socket = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
-  const bool is_free = socket >= 0 && ::bind(socket, reinterpret_cast<const sockaddr*>(&place), sizeof place) == 0;
-  const std::string reason = std::strerror(errno);
-  if (socket >= 0) ::close(socket);
-  if (!is_free) {
-    throw std::runtime_error("UDP port " + std::to_string(port) + " of a discovery server can't be had: " + reason);
-  }
-}
 
 dds::DomainParticipantQos server_qos(const JoinOptions& options, std::uint16_t port) {
   require_free(port);

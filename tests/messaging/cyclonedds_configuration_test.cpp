@@ -46,6 +46,23 @@ TEST(CycloneConfiguration, ChosenInterfacesAreTheOnlyOnes) {
                                                 Not(HasSubstr("AllowMulticast"))));
 }
 
+TEST(CycloneConfiguration, OneOfManyAnnouncesItselfAndDoesNotListen) {
+  JoinOptions options;
+  options.domain = 3;
+  options.one_of_many = true;
+  EXPECT_THAT(configuration(options, {}),
+              AllOf(HasSubstr("<AllowMulticast>ssm"), HasSubstr("<Peer address=\"239.255.0.1:8150\"/>"),
+                    HasSubstr("<MulticastMetaOffset>2<"), HasSubstr("<ParticipantIndex>auto")));
+  options.peers = {"a.example"};
+  EXPECT_THAT(configuration(options, {}), AllOf(HasSubstr("<AllowMulticast>false"), Not(HasSubstr("239.255.0.1")),
+                                                HasSubstr("<ParticipantIndex>auto")))
+      << "and can be found by its host's address";
+  options.peers.clear();
+  options.loopback_only = true;
+  EXPECT_THAT(configuration(options, {}), AllOf(HasSubstr("<AllowMulticast>false"), Not(HasSubstr("239.255.0.1")),
+                                                HasSubstr("<ParticipantIndex>none")));
+}
+
 TEST(CycloneConfiguration, DiscoveryServersAreRefusedSinceItHasNone) {
   JoinOptions options;
   options.discovery_servers = {"a.example"};

@@ -56,6 +56,25 @@ TEST(FastConfiguration, DiscoveryServersReplaceEverythingElse) {
   EXPECT_EQ(discovery.m_DiscoveryServers.back().guidPrefix.value[2], 1);
 }
 
+TEST(FastConfiguration, OneOfManyAnnouncesItselfAndDoesNotListen) {
+  JoinOptions options;
+  options.domain = 3;
+  options.one_of_many = true;
+  auto builtin = participant_qos(options).wire_protocol().builtin;
+  EXPECT_TRUE(builtin.metatrafficMulticastLocatorList.empty());
+  ASSERT_FALSE(builtin.metatrafficUnicastLocatorList.empty());
+  EXPECT_EQ(builtin.metatrafficUnicastLocatorList.begin()->port, 0U)
+      << "a well-known port: found by its host's address";
+  ASSERT_EQ(builtin.initialPeersList.size(), 1U);
+  EXPECT_EQ(rtps::IPLocator::ip_to_string(*builtin.initialPeersList.begin()), "239.255.0.1");
+  EXPECT_EQ(builtin.initialPeersList.begin()->port, 8150U);
+
+  options.loopback_only = true;
+  builtin = participant_qos(options).wire_protocol().builtin;
+  ASSERT_FALSE(builtin.metatrafficUnicastLocatorList.empty());
+  EXPECT_NE(builtin.metatrafficUnicastLocatorList.begin()->port, 0U) << "no well-known port: all announce to these";
+}
+
 TEST(FastConfiguration, WithoutServersEverybodyFindsEverybody) {
   const auto qos = participant_qos({});
   EXPECT_EQ(qos.wire_protocol().builtin.discovery_config.discoveryProtocol, rtps::DiscoveryProtocol::SIMPLE);
