@@ -39,7 +39,7 @@ constexpr auto goodbye_time = std::chrono::milliseconds{100};
 
 struct Options {
   std::uint32_t threads = std::max(std::thread::hardware_concurrency(), 1U);
-  int nice = 0;
+  int nice = 19;
   std::vector<std::string> labels;
   std::string bridge;            ///< the name of a robot; empty: none
   std::string bridge_isolation;  ///< where its bridge is; empty: where this worker is
@@ -103,7 +103,8 @@ int main(int count, char** arguments) {
   app.add_option("--threads", options.threads, "Jobs computed at once (default: one per core)")
       ->check(CLI::Range(1U, 1024U))
       ->type_name("N");
-  app.add_option("--nice", options.nice, "Added to the niceness of what computes; heartbeats stay as they are")
+  app.add_option("--nice", options.nice,
+                 "Niceness of what computes, so that heartbeats and others on this host go first")
       ->check(CLI::Range(0, 19))
       ->type_name("N")
       ->capture_default_str();
@@ -121,6 +122,7 @@ int main(int count, char** arguments) {
                  "The isolation that the bridge is in (default: this worker's); it may be on another machine")
       ->type_name("NAME");
   options.join.introduction = program::introduction("worker");
+  options.join.one_of_many = true;
   program::add_join_options(app, options.join);
   program::add_logging_options(app, options.logging);
   return program::run(app, count, arguments, options.logging, [&] { return serve(options); });
