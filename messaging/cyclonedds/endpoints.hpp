@@ -102,20 +102,23 @@ class CycloneWriter final : public Writer<Sample> {
                 "writer of " + std::string(Topic<Sample>::name)) {}
 
   WriteResult write(const Sample& sample) override {
-    const std::string topic(Topic<Sample>::name);
-    if (auto violation = limit_violation(sample)) {
-      return {WriteResult::Kind::failed, "cannot write to " + topic + ": " + *violation};
-    }
-    Arena arena;
+    if (auto violation = limit_violation(sample)) return {WriteResult::Kind::failed, cannot_write() + ": " + *violation};
+    std::array<std::byte, small_sample> memory;
+    Arena arena(memory.data(), memory.size());
     const auto wire = to_wire(sample, arena);
     const dds_return_t code = dds_write(writer_.get(), &wire);
     counters_.count_write(code == DDS_RETCODE_OK);
     if (code == DDS_RETCODE_OK) return {};
     const auto kind = code == DDS_RETCODE_TIMEOUT ? WriteResult::Kind::full : WriteResult::Kind::failed;
-    return {kind, describe("cannot write to " + topic, code)};
+    return {kind, describe(cannot_write(), code)};
   }
 
  private:
+  /// Octets of arrays that are put together without the heap, which is most of what a small sample costs.
+  static constexpr std::size_t small_sample = 1024;
+
+  static std::string cannot_write() { return "cannot write to " + std::string(Topic<Sample>::name); }
+
   TopicCounters& counters_;
   Entity topic_;
   Entity publisher_;
@@ -173,6 +176,7 @@ class CycloneReader final : public Reader<Sample> {
         dds_take(reader_.get(), loans.data(), infos.data(), most, static_cast<std::uint32_t>(most));
     if (count <= 0) return 0;
     const Return guard{reader_.get(), loans.data(), count};
+    if (samples.empty()) samples.reserve(static_cast<std::size_t>(count));
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
       if (!infos[i].valid_data) continue;
       Sample sample;
