@@ -64,7 +64,7 @@ class Scale(Sized):
             for size, row in rows["sizes"].items():
                 # Discovery's part of what so few say and compute is too little to be told from what they always do.
                 for name in ("working_seconds", "joined_seconds", "idle_packets_per_second", "idle_octets_per_second",
-                             "worker_share_megabytes"):
+                             "worker_share_megabytes", "one_more_joined_seconds"):
                     self.assertGreater(row[name]["median"], 0, f"{dds}, {size}: {name}")
             for name in ("joined_seconds", "idle_packets_per_second", "idle_octets_per_second"):
                 self.assertGreater(rows["predictions"][name]["predicted"], 0, f"{dds}: {name}")
