@@ -140,7 +140,9 @@ class BridgeTest : public ::testing::Test {
     EXPECT_TRUE(asker.commands->write(command));
     bridge_->step(Clock::now());
   }
-  std::uint64_t counter(const std::string& name) const {
+  /// A state may tell of what the control loop has counted since the step that published it began.
+  std::uint64_t counter(const std::string& name) {
+    bridge_->step(Clock::now());
     for (const auto& counter : bridge_->counters()) {
       if (counter.name == name) return counter.value;
     }
