@@ -5,11 +5,13 @@
 #include "messaging/fastdds/udp_port.hpp"
 #include "messaging/tuning.hpp"
 
+#include <cstdint>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/rtps/attributes/ServerAttributes.h>
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastrtps/utils/IPLocator.h>
 #include <fastrtps/xmlparser/XMLProfileManager.h>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -50,6 +52,10 @@ void set_transport(const JoinOptions& options, dds::DomainParticipantQos& qos) {
   if (users_own && allowed.empty()) return;
   auto udp = std::make_shared<UDPv4TransportDescriptor>();
   udp->receiveBufferSize = socket_receive_buffer_bytes;
+  // The system gives what it allows. Fast DDS 2.9 adds a heartbeat to all readers whenever a writer has sent as much
+  // again, but of what it sends once more it counts, with each sample, all that the program has ever sent so: from some
+  // 200 kB on every program that joins would cost a heartbeat to all others for each endpoint that it is told of.
+  udp->sendBufferSize = std::numeric_limits<std::int32_t>::max();
   udp->maxInitialPeersRange = participants_per_host;
   udp->interfaceWhiteList = allowed;
   // One frame of a network each (tuning.hpp). On loopback nothing is lost on the way, and large datagrams cost less.
