@@ -2,12 +2,14 @@
 
 #include "messaging/qos.hpp"
 
+#include <utility>
+
 namespace lamprey::messaging {
 
 void Signal::notify() {
   {
     const std::lock_guard lock(mutex_);
-    notified_ = true;
+    if (std::exchange(notified_, true)) return;  // whoever waits is being woken
   }
   condition_.notify_one();
 }
