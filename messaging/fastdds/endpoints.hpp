@@ -12,7 +12,10 @@
 #include "messaging/ros2/topics.hpp"
 #include "messaging/traffic_counters.hpp"
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <fastdds/dds/core/LoanableSequence.hpp>
 #include <fastdds/dds/subscriber/DataReaderListener.hpp>
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
 #include <memory>
@@ -111,21 +114,35 @@ class FastReader final : public Reader<Sample> {
   }
 
  private:
+  static constexpr std::size_t taken_at_once = 16;
+
   std::vector<Sample> take_up_to(std::size_t most) {
     std::vector<Sample> samples;
     while (samples.size() < most) {
-      dds::SampleInfo info;
-      if (reader_->take_next_sample(&data_, &info) != ReturnCode::RETCODE_OK) return samples;
-      if (!info.valid_data) continue;
+      const std::size_t chunk = std::min(most - samples.size(), taken_at_once);
+      if (take_some(samples, chunk) < chunk) return samples;
+    }
+    notifier_.notify();  // there may be more, and no other sample need come to say so
+    return samples;
+  }
+
+  /// Takes at most `most` from Fast DDS and appends the valid ones; how many were taken.
+  std::size_t take_some(std::vector<Sample>& samples, std::size_t most) {
+    data_.length(0);
+    infos_.length(0);
+    if (reader_->take(data_, infos_, static_cast<std::int32_t>(most)) != ReturnCode::RETCODE_OK) return 0;
+    const auto count = infos_.length();
+    samples.reserve(samples.size() + static_cast<std::size_t>(count));
+    for (std::int32_t i = 0; i < count; ++i) {
+      if (!infos_[i].valid_data) continue;
       Sample sample;
-      if (const auto fault = fault_of(data_, sample)) {
-        malformed_->note(Topic<Sample>::name, source(info), *fault);
+      if (const auto fault = fault_of(data_[i], sample)) {
+        malformed_->note(Topic<Sample>::name, source(infos_[i]), *fault);
         continue;
       }
       samples.push_back(std::move(sample));
     }
-    notifier_.notify();  // there may be more, and no other sample need come to say so
-    return samples;
+    return static_cast<std::size_t>(count);
   }
 
   static std::optional<std::string> fault_of(typename Wire<Sample>::Type& data, Sample& sample) {
@@ -140,7 +157,9 @@ class FastReader final : public Reader<Sample> {
   }
 
   TopicCounters& counters_;
-  typename Wire<Sample>::Type data_;  ///< kept for its memory
+  // Kept for their memory. Fast DDS fills them rather than lend what is its own.
+  dds::LoanableSequence<typename Wire<Sample>::Type> data_{taken_at_once};
+  dds::SampleInfoSeq infos_{taken_at_once};
   std::shared_ptr<MalformedSamples> malformed_;
   Notifier notifier_;
   Owned<dds::Subscriber> subscriber_;
