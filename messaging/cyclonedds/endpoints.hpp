@@ -102,7 +102,8 @@ class CycloneWriter final : public Writer<Sample> {
                 "writer of " + std::string(Topic<Sample>::name)) {}
 
   WriteResult write(const Sample& sample) override {
-    if (auto violation = limit_violation(sample)) return {WriteResult::Kind::failed, cannot_write() + ": " + *violation};
+    if (auto violation = limit_violation(sample))
+      return {WriteResult::Kind::failed, cannot_write() + ": " + *violation};
     std::array<std::byte, small_sample> memory;
     Arena arena(memory.data(), memory.size());
     const auto wire = to_wire(sample, arena);
