@@ -59,7 +59,7 @@ class Cuts(OnHosts):
 
     def setUp(self):
         super().setUp()
-        cycles, replicates = (4000, 8) if FULL else (2000, 4)
+        cycles, replicates = (4000, 40) if FULL else (2000, 4)  # one worker alone must not end it during a cut
         self.sweep = self.write("cut.yaml", grid("cut", EVERY_OPERATOR, cycles=cycles, replicates=replicates))
         database = self.folder / "undisturbed.db"
         self.lamprey("run", self.sweep, "--database", database, "--quiet", timeout=600)
