@@ -163,6 +163,7 @@ void Coordinator::step(Clock::time_point now) {
     guard(now, [&] { take_checkpoints(); });
   }
   expire(now);
+  close_writers_of_the_silent(now);
   if (journal_.healthy()) guard(now, [&] { work_in_background(now); });
   commit(now);
   if (journal_.healthy()) guard(now, [&] { grant(now); });

@@ -15,12 +15,14 @@
 
 #include <chrono>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace lamprey::coordinator {
@@ -81,6 +83,8 @@ class Coordinator {
   void take_robot_statuses(Clock::time_point now);
   void note(const std::vector<RobotEvent>& events);
   void expire(Clock::time_point now);
+  void close_writers(std::uint64_t worker);
+  void close_writers_of_the_silent(Clock::time_point now);
   void quarantine(const QuarantinedJob& job, Clock::time_point now);
   void note(const FailedAttempt& attempt);
   void grant(Clock::time_point now);
@@ -184,6 +188,7 @@ class Coordinator {
 
   messaging::Assembler assembler_;
   std::vector<StagedAnswer> answers_;
+  std::deque<std::pair<Clock::time_point, std::uint64_t>> silent_;  ///< workers, and until when their writers are kept
   Clock::time_point progress_due_;
   Clock::time_point specifications_due_;
   Clock::time_point newcomers_until_;  ///< so long somebody may need every specification at once

@@ -10,6 +10,10 @@ namespace lamprey::coordinator {
 
 namespace {
 
+/// Who fell silent may be behind a cut link. Its writers are kept for a while: to make others known when it is back
+/// took Fast DDS another second. One that was killed leaves them for no longer.
+constexpr auto kept_for_the_silent = std::chrono::minutes{1};
+
 std::string joined(const std::vector<std::string>& words) {
   std::string text;
   for (const auto& word : words) text += (text.empty() ? "" : ",") + word;
@@ -49,8 +53,7 @@ void Coordinator::take_status(messaging::WorkerStatus status, Clock::time_point 
     spdlog::info("worker {:016x} ({}) has left", worker, who);
     journal_.event("worker_left", worker, who);
     ++counters_.workers_left;
-    leases_.close(worker);
-    acknowledgements_.close(worker);
+    close_writers(worker);
     // It cannot come back: the next process has another incarnation.
     guard(now, [&] { journal_.store().set_draining(worker, false); });
     return;
@@ -125,8 +128,7 @@ void Coordinator::expire(Clock::time_point now) {
     spdlog::warn("worker {:016x} has fallen silent", worker);
     journal_.event("worker_lost", worker, "");
     ++counters_.workers_lost;
-    leases_.close(worker);
-    acknowledgements_.close(worker);
+    silent_.emplace_back(now + kept_for_the_silent, worker);
   }
   for (const auto& lost : expired.leases) {
     const auto sweep = sweeps_.find(lost.sweep);
@@ -138,6 +140,19 @@ void Coordinator::expire(Clock::time_point now) {
   }
   for (const auto& attempt : expired.attempts) note(attempt);
   for (const auto& job : expired.quarantined) quarantine(job, now);
+}
+
+void Coordinator::close_writers(std::uint64_t worker) {
+  leases_.close(worker);
+  acknowledgements_.close(worker);
+}
+
+/// Whoever has not come back by now, of those that fell silent.
+void Coordinator::close_writers_of_the_silent(Clock::time_point now) {
+  for (; !silent_.empty() && silent_.front().first <= now; silent_.pop_front()) {
+    const std::uint64_t worker = silent_.front().second;
+    if (!ledger_.knows(worker)) close_writers(worker);
+  }
 }
 
 void Coordinator::note(const FailedAttempt& attempt) {

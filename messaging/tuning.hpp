@@ -18,6 +18,10 @@ inline constexpr std::chrono::milliseconds maximum_blocking{100};
 /// because forgetting a participant over a cut link loses samples; who is alive is decided by our own heartbeats.
 inline constexpr std::chrono::seconds participant_lease{15};
 
+/// How often a participant announces itself. Who comes back after a longer cut is met at its next announcement, and
+/// should be at work within two seconds; workers don't hear those of others.
+inline constexpr std::chrono::seconds announcement_period{1};
+
 /// Programs of one domain on one host that find each other without multicast: participant indices 0 … 119. With one
 /// more, the ports (7400 + 250 × domain + 10 + 2 × index) would run into those of the next domain.
 inline constexpr std::uint32_t participants_per_host = 120;

@@ -39,7 +39,8 @@ class Outbox {
   /// Whether the answer was for a result held here: then it is forgotten.
   bool acknowledge(const Id128& database, const messaging::Acknowledgement& answer);
 
-  /// Everything that was sent to that database is due again: its coordinator has started anew and may not have got it.
+  /// Everything that was sent to that database is due again: its coordinator has started anew, or has not heard this
+  /// worker for a while, and may not have got it.
   void resend_all(const Id128& database);
 
   /// Whether the job's result is held (a lease that names it again need not be computed again).

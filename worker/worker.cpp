@@ -140,6 +140,8 @@ void Worker::take_lease(const messaging::Lease& lease) {
   switch (lease.kind) {
     case messaging::LeaseKind::welcome:
       spdlog::info("connected to a coordinator, epoch {}", lease.origin.epoch);
+      // It had not known this worker, or had given it up: what was sent meanwhile has not arrived.
+      outbox_.resend_all(lease.origin.database);
       break;
     case messaging::LeaseKind::refuse:
       spdlog::error("the coordinator gives this worker no work: {}", lease.reason);

@@ -85,8 +85,7 @@ std::string configuration(const JoinOptions& options, std::optional<std::uint32_
   std::string discovery = discovery_peers(options) + ports(options) + participant_index(options);
   discovery += "<MaxAutoParticipantIndex>" + std::to_string(participants_per_host - 1) + "</MaxAutoParticipantIndex>";
   discovery += "<LeaseDuration>" + std::to_string(participant_lease.count()) + "s</LeaseDuration>";
-  // By default 12 s, which who is met by a peer's address would wait.
-  discovery += "<SPDPInterval>3s</SPDPInterval>";
+  discovery += "<SPDPInterval>" + std::to_string(announcement_period.count()) + "s</SPDPInterval>";
   if (external_domain) discovery += "<ExternalDomainId>" + std::to_string(*external_domain) + "</ExternalDomainId>";
 
   // `max` asks for this much and is content with less; `min` would refuse to start where the system allows less.

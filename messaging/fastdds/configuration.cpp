@@ -85,7 +85,7 @@ void set_discovery(const JoinOptions& options, dds::DomainParticipantQos& qos) {
   auto& builtin = qos.wire_protocol().builtin;
   auto& discovery = builtin.discovery_config;
   discovery.leaseDuration = Duration_t(static_cast<std::int32_t>(participant_lease.count()), 0);
-  discovery.leaseDuration_announcementperiod = Duration_t(3, 0);
+  discovery.leaseDuration_announcementperiod = Duration_t(static_cast<std::int32_t>(announcement_period.count()), 0);
   // The first announcements decide how soon programs that start together meet.
   discovery.initial_announcements.count = 10;
   discovery.initial_announcements.period = Duration_t(0, 100'000'000);

@@ -318,6 +318,17 @@ TEST_F(ProtocolFaults, WorkerThatWasThoughtDeadBringsItsResults) {
   site.expect_complete();
 }
 
+TEST_F(ProtocolFaults, WhatWasSentIntoALongCutIsSentAgainAsSoonAsItIsOver) {
+  start();
+  site.submit(small_sweep("long-cut", 4000));
+  ASSERT_TRUE(site.run_until([&] { return site.rows() > 100; }));
+  site.bus.disconnect(site.worker(0).name);
+  site.advance(std::chrono::seconds{30});
+  ASSERT_GT(site.worker(0).worker->results_held(), 0U) << "by now sent again every 16 s";
+  site.bus.reconnect(site.worker(0).name);
+  EXPECT_TRUE(site.run_until([&] { return site.worker(0).worker->results_held() == 0; }, std::chrono::seconds{2}));
+}
+
 TEST_F(ProtocolFaults, LeavingWorkerGivesItsLeasesBackAtOnce) {
   start();
   site.submit(small_sweep("leaver", 400));
